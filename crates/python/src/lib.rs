@@ -9,6 +9,7 @@ mod arrays;
 mod convert;
 mod errors;
 mod laws;
+mod limits;
 mod motion;
 mod outcome;
 mod read;

@@ -7,9 +7,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use campaign::accuracy;
 use campaign::engine::{Survey, survey};
+use campaign::memory::Limit;
 use campaign::plan::Sweep as Plan;
-use campaign::sweep_file::MethodName;
+use campaign::sweep_file::{MethodName, SweepFileError};
 use campaign::text_file::read_text;
 use pyo3::prelude::*;
 
@@ -74,10 +76,13 @@ impl ReadSweep {
         let (plan, texts) = py
             .detach(read)
             .map_err(|error| lines.file_error(py, &error))?;
-        if plan.content.accuracy.is_some() {
-            let message = "chooses the method, which only the command `sweep` does: give `methods`";
-            return Err(lines.file_error(py, &plan.source.error("accuracy", message)));
-        }
+        // Which is what takes time of reading a sweep.
+        let plan = match plan.content.accuracy {
+            None => plan,
+            Some(_) => {
+                wait_for(py, move || chosen(plan))?.map_err(|error| lines.file_error(py, &error))?
+            }
+        };
         for doubt in plan.doubts() {
             warn(py, doubt)?;
         }
@@ -133,6 +138,15 @@ impl ReadSweep {
     /// An error that does not say which file it is about.
     pub fn about_file(&self, error: impl Display) -> PyErr {
         refused(format_args!("{}: {error}", self.path.display()))
+    }
+}
+
+/// The sweep with the method and sampling frequency that are chosen for its accuracy.
+fn chosen(plan: Plan) -> Result<Plan, SweepFileError> {
+    let choice = accuracy::choose(&plan, false, &Limit::of(None), &|_| {})?;
+    match choice {
+        Some((method, choice)) => plan.with_choice(method, choice),
+        None => Ok(plan),
     }
 }
 

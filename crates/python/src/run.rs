@@ -196,8 +196,8 @@ impl Running {
     }
 }
 
-/// Why a run does not begin.
-fn not_begun(py: Python<'_>, sweep: &ReadSweep, error: RunError) -> PyErr {
+/// Why a run does not begin, as an error of Python.
+pub fn not_begun(py: Python<'_>, sweep: &ReadSweep, error: RunError) -> PyErr {
     match error {
         RunError::Memory(error) | RunError::Systems(error) => sweep.lines.any_error(py, &error),
         RunError::Unstable(error) => {

@@ -10,6 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{Lines, refused};
+use crate::limits::limits;
 use crate::read::{ReadSweep, Texts};
 use crate::responses::Responses;
 use crate::run::run;
@@ -219,6 +220,12 @@ impl Sweep {
             limit: limit_of(memory)?,
         };
         simulate(py, &self.0, asked)
+    }
+
+    /// The analytic limit, by the columns of `boundary.csv`.
+    #[pyo3(signature = (*, memory = None))]
+    fn _limits<'py>(&self, py: Python<'py>, memory: Option<&str>) -> PyResult<Bound<'py, PyDict>> {
+        limits(py, &self.0, limit_of(memory)?)
     }
 
     /// Runs every case by every method, and gives the columns of `labels.csv` by name.

@@ -61,9 +61,10 @@ def test_a_case_a_method_or_an_axis_that_is_none_is_refused():
             ask()
 
 
-def test_an_accuracy_is_left_to_the_command():
-    with pytest.raises(ds.SweepFileError, match="`accuracy`: .*give `methods`"):
-        ds.Sweep.read("sweeps/fig09_accuracy.toml")
+def test_an_accuracy_that_cannot_be_had_is_refused():
+    text = 'base = "sweeps/fig09.toml"\naccuracy = "1e-9 %"\n'
+    with pytest.raises(ds.SweepFileError, match="`accuracy`: "):
+        ds.Sweep.from_toml(text, folder=".")
 
 
 def test_a_string_that_cannot_be_is_refused():

@@ -171,3 +171,19 @@ def test_what_is_set_is_set_as_by_the_command(command, tmp_path):
     (case,) = read(tmp_path / "case.csv")
     assert list(row) == list(case)
     assert all(same(row[name], text) for name, text in case.items())
+
+
+def test_an_accuracy_is_chosen_as_by_the_command(command, tmp_path):
+    command("run", "sweeps/fig09_accuracy.toml", "--out", tmp_path, "--quiet")
+    sweep = ds.Sweep.read("sweeps/fig09_accuracy.toml")
+    assert_same_table(sweep.run(), tmp_path / "labels.csv")
+
+
+@pytest.mark.parametrize("text", [WALL, STRINGS], ids=["wall", "strings"])
+def test_limits_are_those_of_the_command(command, tmp_path, text):
+    text = text.replace('base = "', 'base = "sweeps/')
+    limits = ds.Sweep.from_toml(text, name="own").limits()
+    file = tmp_path / "own.toml"
+    file.write_text(text.replace('base = "', f'base = "{os.getcwd()}/'))
+    command("run", file, "--out", tmp_path / "out", "--quiet")
+    assert_same_table(limits, tmp_path / "out" / "boundary.csv")

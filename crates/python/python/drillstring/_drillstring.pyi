@@ -262,6 +262,7 @@ class Sweep:
         allow_unstable: bool = False,
         memory: str | None = None,
     ) -> Simulation: ...
+    def _limits(self, *, memory: str | None = None) -> dict[str, NDArray[Any]]: ...
     def _run(
         self,
         *,

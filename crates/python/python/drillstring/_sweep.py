@@ -163,6 +163,13 @@ class Sweep:
             memory=memory,
         )
 
+    def limits(self, *, memory: str | None = None) -> Table:
+        """The analytic limits: the columns of ``boundary.csv``, as ``sweep run`` writes it.
+
+        Of stick-slip Eq. 74 for every method; of whirl the friction that sustains it steadily.
+        """
+        return Table(self._sweep._limits(memory=memory))
+
     def run(
         self,
         *,

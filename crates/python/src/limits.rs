@@ -1,0 +1,67 @@
+//! `Sweep.limits`: the analytic limit, with the columns and numbers of `boundary.csv`.
+
+use std::sync::Arc;
+
+use anyhow::Result;
+use campaign::memory::Limit;
+use campaign::plan::Sweep as Plan;
+use campaign::run::RunSystems;
+use limits::{boundary, boundary_csv};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::read::ReadSweep;
+use crate::run::not_begun;
+use crate::table::Column;
+use crate::wait::wait_for;
+
+/// The limits of a sweep, by column.
+///
+/// # Errors
+/// Where it takes too much memory, or a method cannot treat the string.
+pub fn limits<'py>(
+    py: Python<'py>,
+    sweep: &ReadSweep,
+    memory: Limit,
+) -> PyResult<Bound<'py, PyDict>> {
+    let survey = sweep.look(py)?;
+    let plan = Arc::clone(&sweep.plan);
+    let systems = {
+        let plan = Arc::clone(&plan);
+        wait_for(py, move || RunSystems::admitted(&plan, &survey, &memory))?
+            .map_err(|error| not_begun(py, sweep, error))?
+    };
+    let text = wait_for(py, move || text_of(&plan, &systems))?;
+    let text = text.map_err(|error| sweep.about_file(format_args!("{error:#}")))?;
+    let by_name = PyDict::new(py);
+    for (name, column) in columns_of(&text) {
+        by_name.set_item(name, column.array(py)?)?;
+    }
+    Ok(by_name)
+}
+
+fn text_of(plan: &Plan, systems: &RunSystems) -> Result<String> {
+    Ok(boundary_csv(&boundary(plan, &systems.methods)?))
+}
+
+/// The columns of a table without quotes: numbers, where a column has no words.
+fn columns_of(text: &str) -> Vec<(String, Column)> {
+    let mut lines = text.lines();
+    let names = lines.next().unwrap_or_default().split(',');
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    let column = |(place, name): (usize, &str)| {
+        let fields: Vec<&str> = rows.iter().map(|row| row[place]).collect();
+        let number = |field: &&str| match *field {
+            "" => Some(f64::NAN),
+            field => field.parse().ok(),
+        };
+        let numbers: Option<Vec<f64>> = fields.iter().map(number).collect();
+        let word = |field: &&str| (!field.is_empty()).then(|| (*field).to_owned());
+        let column = numbers.map_or_else(
+            || Column::Text(fields.iter().map(word).collect()),
+            Column::Number,
+        );
+        (name.to_owned(), column)
+    };
+    names.enumerate().map(column).collect()
+}
