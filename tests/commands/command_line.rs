@@ -27,13 +27,14 @@ use std::collections::BTreeSet;
 
 use crate::support::{Answer, SMALL, Workplace, with};
 
-const RESULTS: [&str; 6] = [
+const RESULTS: [&str; 7] = [
     "boundary.csv",
     "failures.csv",
     "labels.csv",
     "manifest.json",
     "map.png",
     "map.svg",
+    "records.jsonl.gz",
 ];
 
 /// What was said on the error stream, but for what choosing for an accuracy took.

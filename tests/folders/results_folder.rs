@@ -14,12 +14,13 @@ use crate::support::{Answer, SMALL, Workplace, with};
 const RUN: [&str; 4] = ["run", "small.toml", "--out", "results"];
 
 /// The files of a run that its manifest lists.
-const FILES: [&str; 5] = [
+const FILES: [&str; 6] = [
     "boundary.csv",
     "failures.csv",
     "labels.csv",
     "map.png",
     "map.svg",
+    "records.jsonl.gz",
 ];
 
 /// Runs what must succeed without a word of warning.

@@ -128,8 +128,10 @@ impl<'a> Strings<'a> {
             // A transform that is too long is refused at once, and takes nothing; others
             // are built longer and longer until then.
             let is_transform = matches!(method, Method::Hilbert(_) | Method::DirectIdft(_));
-            if of_string.too_long.is_some() && is_transform {
-                continue;
+            match of_string.too_long {
+                Some(_) if is_transform => continue,
+                Some(taps) => bail!("would have responses of {taps:.1e} steps, which is too long"),
+                None => {}
             }
             systems = systems.beside(of_string.systems);
             case = case.max(of_string.case);

@@ -47,6 +47,7 @@ impl<'a> BendingPlan<'a> {
         bending: &'a Bending,
         support: SurfaceSupport,
     ) -> Result<Self, BuildError> {
+        bending.check()?;
         let needed = needed_taps(request.longest_time, request.sampling_frequency);
         if needed > MOST_TAPS as f64 {
             return Err(too_many(needed));

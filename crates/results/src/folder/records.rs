@@ -16,8 +16,15 @@ use campaign::text_file::unreadable;
 /// The file of a results folder: the JSON of a record a line.
 pub const RECORDS: &str = "records.jsonl.gz";
 
+/// What is compressed at once, bytes: how lines are handed over must not show in the file.
+const BLOCK: usize = 1 << 16;
+
 /// Records being written. The same records give the same bytes.
-pub struct RecordWriter(GzEncoder<AtomicFile>);
+pub struct RecordWriter {
+    encoder: GzEncoder<AtomicFile>,
+    /// Less than a block.
+    pending: Vec<u8>,
+}
 
 impl RecordWriter {
     /// A file without a record, in a folder.
@@ -26,7 +33,10 @@ impl RecordWriter {
     /// Where it cannot be written.
     pub fn create(folder: &Path) -> Result<Self> {
         let file = AtomicFile::create(&folder.join(RECORDS))?;
-        Ok(Self(GzEncoder::new(file, Compression::fast())))
+        Ok(Self {
+            encoder: GzEncoder::new(file, Compression::fast()),
+            pending: Vec::with_capacity(BLOCK),
+        })
     }
 
     /// Adds lines, each the JSON of a record.
@@ -34,15 +44,22 @@ impl RecordWriter {
     /// # Errors
     /// Where they cannot be written.
     pub fn write(&mut self, lines: &str) -> Result<()> {
-        Ok(self.0.write_all(lines.as_bytes())?)
+        self.pending.extend_from_slice(lines.as_bytes());
+        let whole = self.pending.len() / BLOCK * BLOCK;
+        for block in self.pending[..whole].chunks_exact(BLOCK) {
+            self.encoder.write_all(block)?;
+        }
+        self.pending.drain(..whole);
+        Ok(())
     }
 
     /// Puts it on the disk, without its name yet.
     ///
     /// # Errors
     /// Where it cannot be written.
-    pub fn seal(self) -> Result<SealedFile> {
-        self.0.finish()?.seal()
+    pub fn seal(mut self) -> Result<SealedFile> {
+        self.encoder.write_all(&self.pending)?;
+        self.encoder.finish()?.seal()
     }
 }
 

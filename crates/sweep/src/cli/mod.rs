@@ -192,7 +192,7 @@ pub enum Command {
         Each is also found without `study`, as it was called before."
     )]
     Study(Study),
-    /// Print the JSON Schema of sweep files, for editors that complete and check them
+    /// Print the JSON Schema of sweep files, for editors
     #[command(after_help = "Example:\n  sweep schema > sweep.schema.json\n\n\
         Editors that know TOML read it where the first line of a sweep file is\n  \
         #:schema ./sweep.schema.json")]
