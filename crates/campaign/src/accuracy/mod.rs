@@ -13,11 +13,11 @@
 //!   ([`linear::deviation`]), which share no time step with anything, and of the undershoot
 //!   Δ after a front where a limit of stick-slip hangs on it,
 //! - the shift of the limit between regimes, by surface speed or by friction, near a
-//!   few of the sweep's cases ([`probes`]),
-//! - that of the numbers a person would quote of those cases ([`answer`]),
+//!   few of the sweep's cases (`probes`),
+//! - that of the numbers a person would quote of those cases (`answer`),
 //!
 //! the last two as root mean squares over these cases, from a reference whose own
-//! uncertainty counts in full ([`reference`](mod@reference)).
+//! uncertainty counts in full (`reference`).
 
 mod answer;
 pub mod bisection;
