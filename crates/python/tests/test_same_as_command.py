@@ -179,11 +179,14 @@ def test_an_accuracy_is_chosen_as_by_the_command(command, tmp_path):
     assert_same_table(sweep.run(), tmp_path / "labels.csv")
 
 
-@pytest.mark.parametrize("text", [WALL, STRINGS], ids=["wall", "strings"])
-def test_limits_are_those_of_the_command(command, tmp_path, text):
-    text = text.replace('base = "', 'base = "sweeps/')
-    limits = ds.Sweep.from_toml(text, name="own").limits()
-    file = tmp_path / "own.toml"
-    file.write_text(text.replace('base = "', f'base = "{os.getcwd()}/'))
-    command("run", file, "--out", tmp_path / "out", "--quiet")
-    assert_same_table(limits, tmp_path / "out" / "boundary.csv")
+@pytest.mark.parametrize("name", ["fig09", "fig14"])
+def test_limits_are_those_of_the_command(command, tmp_path, name):
+    limits = ds.Sweep.read(f"sweeps/{name}.toml").limits()
+    command("run", f"sweeps/{name}.toml", "--out", tmp_path, "--quiet")
+    rows = read(tmp_path / "boundary.csv")
+    assert len(rows) > 1
+    assert list(limits) == list(rows[0])
+    for name, column in limits.items():
+        assert len(column) == len(rows)
+        for value, row in zip(column, rows):
+            assert same(value, row[name]), (name, value, row[name])

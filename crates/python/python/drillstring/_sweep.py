@@ -8,6 +8,7 @@ from os import PathLike
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._drillstring import Drillstring, Responses, Simulation
 from ._drillstring import Sweep as _Sweep
@@ -163,12 +164,12 @@ class Sweep:
             memory=memory,
         )
 
-    def limits(self, *, memory: str | None = None) -> Table:
+    def limits(self, *, memory: str | None = None) -> dict[str, NDArray[Any]]:
         """The analytic limits: the columns of ``boundary.csv``, as ``sweep run`` writes it.
 
         Of stick-slip Eq. 74 for every method; of whirl the friction that sustains it steadily.
         """
-        return Table(self._sweep._limits(memory=memory))
+        return self._sweep._limits(memory=memory)
 
     def run(
         self,
