@@ -5,42 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// A sweep of six cases that takes a moment: 100 m of pipe and one method.
-pub const SMALL: &str = r#"# A small sweep.
-title = "A small sweep"
-surface_speed_rpm = 60
-time_s = 12
-sampling_frequency_hz = 100
-methods = ["quadrature"]
-
-[string]
-shear_modulus_gpa = 80
-density_kg_m3 = 7840
-torsional_damping_nms_rad_m = 10
-
-[[string.sections]]
-name = "pipe"
-repeat = 10
-parts = [
-    { length_m = 9.5, inner_radius_m = 0.05, outer_radius_m = 0.125 },
-    { length_m = 0.5, inner_radius_m = 0.04, outer_radius_m = 0.15 },
-]
-
-[bit]
-rock = "sandstone"
-
-[[sites]]
-distance_from_bit_m = 50
-
-[design]
-kind = "grid"
-
-[design.axes]
-surface_speed_rpm = { from = 0.02, to = 0.6, count = 3 }
-weight_on_bit_kn = { values = [30, 70] }
-
-[map]
-marks = [{ name = "A", surface_speed_rpm = 0.3, weight_on_bit_kn = 50 }]
-"#;
+pub const SMALL: &str = include_str!("small.toml");
 
 /// [`SMALL`] with its `[design]` and `[map]` replaced.
 pub fn small_with_design(design: &str) -> String {

@@ -64,7 +64,7 @@ pub fn note_labels(known: &mut Known, case: usize, method: usize, labels: Labels
         let class = match labels.is_sustained(motion) {
             Some(true) => Class::With,
             Some(false) => Class::Without,
-            None => Class::Untold,
+            None => Class::Undetermined,
         };
         known.set(layer(method, motion), case, class);
     }

@@ -37,19 +37,19 @@ pub fn refused(error: impl Display) -> PyErr {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lines {
     /// As they stand in the file.
-    Told,
+    Named,
     /// There are none: the sweep was made from a table in memory.
-    Untold,
+    Unnamed,
 }
 
 impl Lines {
     /// An error of a sweep file.
     pub fn file_error(self, py: Python<'_>, error: &FileError) -> PyErr {
         let file = error.file().display().to_string();
-        let line = error.line().filter(|_| self == Lines::Told);
+        let line = error.line().filter(|_| self == Lines::Named);
         let words = match self {
-            Lines::Told => error.to_string(),
-            Lines::Untold => {
+            Lines::Named => error.to_string(),
+            Lines::Unnamed => {
                 let key = error
                     .key()
                     .map_or_else(String::new, |key| format!(": `{key}`"));

@@ -29,7 +29,7 @@ impl Sweep {
     #[pyo3(signature = (path, *, methods = None))]
     fn read(py: Python<'_>, path: PathBuf, methods: Option<Vec<String>>) -> PyResult<Self> {
         let methods = methods.unwrap_or_default();
-        Self::of(py, path, methods, Texts::new(), Lines::Told)
+        Self::of(py, path, methods, Texts::new(), Lines::Named)
     }
 
     /// The same of a text; files that it names are in a folder.
@@ -44,7 +44,7 @@ impl Sweep {
     ) -> PyResult<Self> {
         let path = folder.join(format!("{name}.toml"));
         let texts = Texts::from([(path.clone(), text)]);
-        Self::of(py, path, methods.unwrap_or_default(), texts, Lines::Told)
+        Self::of(py, path, methods.unwrap_or_default(), texts, Lines::Named)
     }
 
     /// The same of a table as JSON.
@@ -62,7 +62,7 @@ impl Sweep {
         let text = toml::to_string(&table)
             .map_err(|error| refused(format_args!("{}: {error}", path.display())))?;
         let texts = Texts::from([(path.clone(), text)]);
-        Self::of(py, path, methods.unwrap_or_default(), texts, Lines::Untold)
+        Self::of(py, path, methods.unwrap_or_default(), texts, Lines::Unnamed)
     }
 
     /// What was pickled.
@@ -75,9 +75,9 @@ impl Sweep {
         has_lines: bool,
     ) -> PyResult<Self> {
         let lines = if has_lines {
-            Lines::Told
+            Lines::Named
         } else {
-            Lines::Untold
+            Lines::Unnamed
         };
         Self::of(py, path, methods, texts, lines)
     }
@@ -91,7 +91,7 @@ impl Sweep {
             lines,
             ..
         } = &self.0;
-        let has_lines = *lines == Lines::Told;
+        let has_lines = *lines == Lines::Named;
         (path.clone(), methods.clone(), texts.clone(), has_lines)
     }
 

@@ -8,47 +8,15 @@ from pathlib import Path
 import jsonschema
 import pytest
 
+from conftest import ROOT
+
 if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
 
-SMALL = """
-title = "A small sweep"
-surface_speed_rpm = 60
-time_s = 12
-sampling_frequency_hz = 100
-methods = ["quadrature"]
-
-[string]
-shear_modulus_gpa = 80
-density_kg_m3 = 7840
-torsional_damping_nms_rad_m = 10
-
-[[string.sections]]
-name = "pipe"
-repeat = 10
-parts = [
-    { length_m = 9.5, inner_radius_m = 0.05, outer_radius_m = 0.125 },
-    { length_m = 0.5, inner_radius_m = 0.04, outer_radius_m = 0.15 },
-]
-
-[bit]
-rock = "sandstone"
-
-[[sites]]
-distance_from_bit_m = 50
-
-[design]
-kind = "grid"
-
-[design.axes]
-surface_speed_rpm = { from = 0.02, to = 0.6, count = 3 }
-weight_on_bit_kn = { values = [30, 70] }
-
-[map]
-marks = [{ name = "A", surface_speed_rpm = 0.3, weight_on_bit_kn = 50 }]
-"""
+# As the tests of the command have it.
+SMALL = (ROOT / "tests" / "support" / "small.toml").read_text()
 
 
 @pytest.fixture(scope="module")

@@ -41,7 +41,7 @@ use crate::sweep_file::{Accuracy, SweepFileError};
 pub use answer::is_inside;
 use probes::Probes;
 use reference::References;
-pub use reference::{Attempt, Expected, Told};
+pub use reference::{Attempt, Expected, SearchProgress};
 use search::Search;
 
 /// Where the sweep asks for an accuracy, the method chosen for it and the choice, which
@@ -55,7 +55,7 @@ pub fn choose(
     sweep: &Sweep,
     full: bool,
     limit: &Limit,
-    tell: &dyn Fn(Told),
+    tell: &dyn Fn(SearchProgress),
 ) -> Result<Option<(Method, Choice)>, SweepFileError> {
     let Some(Accuracy(asked)) = sweep.content.accuracy else {
         return Ok(None);

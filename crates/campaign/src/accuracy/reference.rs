@@ -25,7 +25,7 @@ pub const METHOD: Method = Method::Held;
 
 /// What is told of a choice under way.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Told {
+pub enum SearchProgress {
     /// About how long it will take from here on.
     Expected(Expected),
     /// What is about to be built and simulated.
@@ -61,7 +61,7 @@ pub struct References<'a> {
     /// Δ of Eq. 75 of every string as it is ([`super::strings::Strings::exact_undershoots`]).
     undershoots: Vec<f64>,
     /// Hears of all that is to be done before it is.
-    tell: &'a dyn Fn(Told),
+    tell: &'a dyn Fn(SearchProgress),
     /// How long it all takes, for telling.
     forecast: OnceCell<Forecast>,
 }
@@ -71,7 +71,11 @@ impl<'a> References<'a> {
     ///
     /// # Errors
     /// Where a string cannot be cut into a lattice.
-    pub fn new(probes: &'a Probes<'a>, asked: f64, tell: &'a dyn Fn(Told)) -> Result<Self> {
+    pub fn new(
+        probes: &'a Probes<'a>,
+        asked: f64,
+        tell: &'a dyn Fn(SearchProgress),
+    ) -> Result<Self> {
         Ok(Self {
             probes,
             asked,
@@ -151,7 +155,7 @@ impl<'a> References<'a> {
     pub fn tell_expected(&self, reference_hz: f64, seconds: impl Fn(&Forecast) -> f64) {
         if let Some(forecast) = self.forecast.get() {
             let seconds = seconds(forecast);
-            (self.tell)(Told::Expected(Expected {
+            (self.tell)(SearchProgress::Expected(Expected {
                 seconds,
                 reference_hz,
             }));
@@ -160,7 +164,7 @@ impl<'a> References<'a> {
 
     /// Tells of an attempt before it is made, and about how long it will take.
     pub fn tell_of(&self, method: &Method, frequency: f64, is_reference: bool) {
-        (self.tell)(Told::Attempt(Attempt {
+        (self.tell)(SearchProgress::Attempt(Attempt {
             candidate: candidate(method, frequency),
             is_reference,
             seconds: self

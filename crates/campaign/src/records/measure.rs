@@ -8,7 +8,8 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use sim::Motion;
 
-use super::columns::{COLUMNS, Needs, ResultColumn};
+use super::column::{Needs, ResultColumn};
+use super::columns::COLUMNS;
 use crate::quantities::{Unit, Units};
 
 /// A measure of a case: one of the columns of results that a map may have as colour.

@@ -1,16 +1,15 @@
 //! What becomes of a case by a method: its record, what that makes certain, and the table of the
 //! columns in which it is written, read, drawn and handed to Python.
 
+mod column;
 mod columns;
 mod field;
 mod measure;
 mod record;
 mod verdict;
 
-pub use columns::{
-    COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, Group, Needs, ResultColumn, Row, to_kn, to_mm,
-    to_rpm, to_turns,
-};
+pub use column::{Group, Needs, ResultColumn, Row, to_kn, to_mm, to_rpm, to_turns};
+pub use columns::{COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES};
 pub use field::{Field, Kind};
 pub use measure::Measure;
 pub use record::{ByStart, Failure, Found, Record, certified};

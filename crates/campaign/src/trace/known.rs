@@ -11,7 +11,7 @@ pub enum Class {
     /// With the regime.
     With,
     /// It has no label, or one that does not tell.
-    Untold,
+    Undetermined,
     /// It was not simulated.
     Unknown,
 }

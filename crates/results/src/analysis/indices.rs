@@ -25,7 +25,7 @@ const LEAST_OF_EITHER: usize = 20;
 
 /// Why a quantity has no indices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Untold {
+pub enum IndexUnavailable {
     /// All its values are alike.
     Alike,
     /// There are fewer than [`LEAST_BLOCKS`].
@@ -187,16 +187,16 @@ impl Blocks {
     ///
     /// # Errors
     /// Why there are none.
-    pub fn indices(&self, is_either: bool) -> Result<Vec<Indices>, Untold> {
+    pub fn indices(&self, is_either: bool) -> Result<Vec<Indices>, IndexUnavailable> {
         let filled: Vec<&Sums> = self.batches.iter().filter(|it| it.blocks > 0.0).collect();
         let all = self.all();
-        let values = all.indices().ok_or(Untold::Alike)?;
+        let values = all.indices().ok_or(IndexUnavailable::Alike)?;
         let rarer = self.rarer(&all);
         if self.count < LEAST_BLOCKS {
-            return Err(Untold::FewBlocks);
+            return Err(IndexUnavailable::FewBlocks);
         }
         if is_either && rarer < LEAST_OF_EITHER {
-            return Err(Untold::Rare(rarer));
+            return Err(IndexUnavailable::Rare(rarer));
         }
         let drawn: Vec<Vec<[f64; 2]>> = (0..DRAWN)
             .filter_map(|number| redrawn(&filled, self.axes, number as u64).indices())
@@ -451,11 +451,11 @@ mod tests {
             );
             blocks.indices(true)
         };
-        assert_eq!(add(0, 1.0, 1.0), Err(Untold::Alike));
-        assert_eq!(add(1, 0.0, 1.0), Err(Untold::FewBlocks));
+        assert_eq!(add(0, 1.0, 1.0), Err(IndexUnavailable::Alike));
+        assert_eq!(add(1, 0.0, 1.0), Err(IndexUnavailable::FewBlocks));
         let found: Vec<_> = (2..40).map(|number| add(number, 0.0, 1.0)).collect();
-        assert_eq!(found[16], Err(Untold::FewBlocks));
-        assert_eq!(found[17], Err(Untold::Rare(19)));
+        assert_eq!(found[16], Err(IndexUnavailable::FewBlocks));
+        assert_eq!(found[17], Err(IndexUnavailable::Rare(19)));
         assert!(found[18].is_ok());
     }
 }

@@ -15,7 +15,7 @@ pub use blocks::MethodBlocks;
 pub use counts::Counts;
 #[cfg(test)]
 pub use counts::Group;
-pub use indices::{DRAWN, Indices, LEAST_BLOCKS, Untold};
+pub use indices::{DRAWN, IndexUnavailable, Indices, LEAST_BLOCKS};
 pub use interval::{Interval, cases_for, wilson};
 pub use of_tables::{blocks, count_cases, size_of_blocks};
 pub use sensitivity::sensitivity;

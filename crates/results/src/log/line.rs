@@ -8,8 +8,8 @@ use campaign::records::Record;
 /// A line longer than this is none of ours, bytes.
 pub(super) const LONGEST_LINE: u64 = 1 << 26;
 
-/// A line with its checksum.
-pub(super) fn checked(text: &str) -> String {
+/// The line of a text, such as the JSON of a record: with its checksum.
+pub fn checked(text: &str) -> String {
     format!("{:08x}\t{text}\n", crc32fast::hash(text.as_bytes()))
 }
 
@@ -30,12 +30,7 @@ pub(super) fn parse_line(line: &[u8]) -> Option<&str> {
 /// # Errors
 /// None that a case could cause.
 pub fn record_line(record: &Record) -> serde_json::Result<String> {
-    Ok(logged(&serde_json::to_string(record)?))
-}
-
-/// The line of a record by its JSON.
-pub fn logged(json: &str) -> String {
-    checked(json)
+    Ok(checked(&serde_json::to_string(record)?))
 }
 
 /// What a line says, if it is a whole record.

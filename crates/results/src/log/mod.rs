@@ -21,7 +21,7 @@ pub use about::read_about;
 pub use content::LogView;
 pub use error::LogError;
 pub use header::{Header, Place, log_place, read_header};
-pub use line::{logged, record_line};
+pub use line::{checked, record_line};
 
 use std::fs::File;
 use std::io::{self, Write};

@@ -35,7 +35,7 @@ pub fn below_curves(curves: &[Curve], [weights, speeds]: [[f64; 2]; 2]) -> Stand
     }
     if lowest > highest {
         // No curve reaches there.
-        return Standing::Untold;
+        return Standing::Undetermined;
     }
     Standing::above(speeds, lowest, highest)
 }
@@ -89,7 +89,7 @@ mod tests {
         assert_eq!(at([70.9, 90.0]), Standing::Near);
         assert_eq!(at([71.1, 90.0]), Standing::Clear);
         let outside = below_curves(&both, [[101.0, 102.0], [0.0, 1.0]]);
-        assert_eq!(outside, Standing::Untold);
+        assert_eq!(outside, Standing::Undetermined);
     }
 
     #[test]

@@ -255,7 +255,7 @@ mod tests {
         // At a weight of 128 c, 192 − 256 c is 768 c: three sixteenths.
         assert!((0.17..0.19).contains(&best.clearance), "{best:?}");
         assert_eq!(best.standing, Standing::Clear);
-        let nowhere = chart(vec![Box::new(|_| Standing::Untold)]);
+        let nowhere = chart(vec![Box::new(|_| Standing::Undetermined)]);
         assert_eq!(nowhere.best(0.05), None);
         let everywhere = chart(vec![Box::new(|_| Standing::Clear)]);
         let best = everywhere.best(0.6).expect("a point");

@@ -139,7 +139,7 @@ impl Chart {
     /// How a cell stands to all limits: as to the worst of them.
     pub fn standing(&self, cell: usize) -> Standing {
         let limits = self.limits.iter().map(|limit| limit.standings[cell]);
-        limits.max().unwrap_or(Standing::Untold)
+        limits.max().unwrap_or(Standing::Undetermined)
     }
 
     /// The part of the map that stands so to a limit.
@@ -212,7 +212,7 @@ pub(super) mod tests {
             Box::new(|[_, speeds]| Standing::above(speeds, 64.0, 128.0)),
             Box::new(|[weights, _]| match weights[1] <= 64.0 {
                 true => Standing::Clear,
-                false => Standing::Untold,
+                false => Standing::Undetermined,
             }),
         ]);
         let is_safe = |&cell: &usize| chart.standing(cell) == Standing::Clear;
@@ -222,7 +222,7 @@ pub(super) mod tests {
         assert!((safe - 0.25).abs() < 1e-12);
         assert!((chart.part(&chart.limits[0], Standing::Near) - 0.25).abs() < 1e-12);
         let last = chart.number([127, 127]);
-        assert_eq!(chart.standing(last), Standing::Untold);
+        assert_eq!(chart.standing(last), Standing::Undetermined);
         assert_eq!(chart.worse_than(Standing::Clear, last), ["limit 1"]);
         assert_eq!(chart.ends(last), [[127.0, 128.0], [254.0, 256.0]]);
         assert_eq!(chart.worse_than(Standing::Clear, 0), ["limit 0"]);

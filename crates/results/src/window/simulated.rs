@@ -119,7 +119,7 @@ fn traced(limits: &TracedLimits, manifest: &Manifest, motion: Motion) -> Points 
                 match limits.class(method, motion, place) {
                     Class::With => at.with = true,
                     Class::Without => at.without = true,
-                    Class::Untold | Class::Unknown => at.untold = true,
+                    Class::Undetermined | Class::Unknown => at.untold = true,
                 }
             }
             found.push(at);
@@ -190,7 +190,7 @@ fn points(tables: &ResultTables, motion: Motion) -> Result<Points> {
 /// Random cases; one that does not tell counts as one with the vibration.
 fn cells(counts: &Counts, motion: Motion, risk: f64) -> Cells {
     let ranges: usize = counts.bins.iter().map(|bins| bins.ranges.len()).product();
-    let mut standings = vec![Standing::Untold; ranges];
+    let mut standings = vec![Standing::Undetermined; ranges];
     let groups = counts
         .groups
         .iter()
@@ -201,7 +201,7 @@ fn cells(counts: &Counts, motion: Motion, risk: f64) -> Cells {
             let [with, told] = sustained[cell];
             let all = group.all[cell];
             let own = match wilson(with + all - told, all) {
-                None => Standing::Untold,
+                None => Standing::Undetermined,
                 Some(part) if part.high <= risk => Standing::Clear,
                 Some(part) if part.low > risk => Standing::Against,
                 Some(_) => Standing::Near,
@@ -271,7 +271,7 @@ impl Points {
             }
         }
         match all {
-            Found { untold: true, .. } => Standing::Untold,
+            Found { untold: true, .. } => Standing::Undetermined,
             Found {
                 uncertain: true, ..
             } => Standing::Near,
@@ -282,7 +282,7 @@ impl Points {
             } => Standing::Near,
             Found { with: true, .. } => Standing::Against,
             Found { without: true, .. } => Standing::Clear,
-            Found { .. } => Standing::Untold,
+            Found { .. } => Standing::Undetermined,
         }
     }
 }
@@ -323,7 +323,7 @@ mod tests {
         points.found[3].uncertain = true;
         assert_eq!(at(&points, [3.2, 3.5]), Standing::Near);
         points.found[7] = untold;
-        assert_eq!(at(&points, [3.2, 3.5]), Standing::Untold);
+        assert_eq!(at(&points, [3.2, 3.5]), Standing::Undetermined);
         points.ragged = vec![[[10.0, 20.0], [1.0, 2.0]]];
         assert_eq!(at(&points, [1.0, 1.5]), Standing::Near);
     }
@@ -361,12 +361,15 @@ mod tests {
             };
             cells(&counts, Motion::Torsion, 0.1).standings
         };
-        use Standing::{Against, Clear, Near, Untold};
+        use Standing::{Against, Clear, Near, Undetermined};
         assert_eq!(
             of(vec![group.clone()]),
-            [Clear, Near, Clear, Against, Untold]
+            [Clear, Near, Clear, Against, Undetermined]
         );
         // By the worse of two methods.
-        assert_eq!(of(vec![group, stuck]), [Clear, Near, Near, Against, Untold]);
+        assert_eq!(
+            of(vec![group, stuck]),
+            [Clear, Near, Near, Against, Undetermined]
+        );
     }
 }

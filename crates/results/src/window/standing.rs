@@ -12,7 +12,7 @@ pub enum Standing {
     /// All of it is on the wrong side.
     Against,
     /// Cases there have no answer, or none that tells.
-    Untold,
+    Undetermined,
 }
 
 impl Standing {
@@ -23,7 +23,7 @@ impl Standing {
             Standing::Possible => "safe_unless_begun",
             Standing::Near => "near",
             Standing::Against => "against",
-            Standing::Untold => "untold",
+            Standing::Undetermined => "untold",
         }
     }
 

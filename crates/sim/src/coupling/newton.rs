@@ -38,7 +38,7 @@ fn difference(one: Components, other: Components) -> Components {
 }
 
 /// A step on the loads of a coupling, after which all ports have to be solved again; none where
-/// it does not bring them closer. A port without an answer is left to whoever solves it next.
+/// it does not bring them closer. A port without an answer is left to the turn that follows.
 pub(super) fn step<E>(
     coupling: &mut Coupling,
     torsion: &Torsion,

@@ -165,7 +165,7 @@ impl FrictionCurve {
         driven: f64,
         compliance: f64,
     ) -> f64 {
-        // What is no number goes through, to be told as such; `clamp` would panic.
+        // What is no number goes through, to be reported as such; `clamp` would panic.
         let mut speed = guess.max(ends.0).min(ends.1);
         for _ in 0..MOST_STEPS {
             let (excess, slope) = self.excess(speed, driven, compliance);

@@ -18,7 +18,7 @@ pub struct TabulatedFriction {
 }
 
 impl TabulatedFriction {
-    /// The table of a function from speed (rad/s) to torque (N m), at so many equal steps up to a
+    /// The table of a function from speed (rad/s) to torque (N m), in equal steps up to a
     /// speed; a stuck bit holds what it has at rest.
     pub fn sampled(torque: impl Fn(f64) -> f64, fastest: f64, steps: usize) -> Self {
         let speed = |step: usize| fastest * step as f64 / steps.max(1) as f64;
@@ -55,7 +55,7 @@ impl TabulatedFriction {
         }
     }
 
-    /// The speed, zero or more, that a bit comes to which had a speed that way, where its load line
+    /// The speed, zero or more, that a bit takes which had a speed that way, where its load line
     /// leaves `driven` without a torque.
     fn turning(&self, before: f64, driven: f64, compliance: f64) -> f64 {
         let excess = |speed: f64| speed + compliance * self.torque_at(speed) - driven;

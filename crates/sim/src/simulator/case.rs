@@ -77,7 +77,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
             settled: false,
         };
         if self.watch.is_empty() {
-            // Nothing acts, and nobody watches.
+            // Nothing acts, and nothing is watched.
             return Ok(end);
         }
         let mut last = self.stepper.next_step().min(self.stepper.steps());

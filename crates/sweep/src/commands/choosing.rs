@@ -14,7 +14,7 @@ use super::cost::in_words;
 use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, Display, moving};
 use super::stop;
 use super::terminal::Terminal;
-use campaign::accuracy::{self, Attempt, Expected, Told};
+use campaign::accuracy::{self, Attempt, Expected, SearchProgress};
 use campaign::memory::Limit;
 use campaign::plan::{Candidate, Sweep};
 use campaign::words::short;
@@ -47,8 +47,8 @@ pub fn choose(
             }
         });
         let chosen = accuracy::choose(&sweep, full, limit, &|told| match told {
-            Told::Expected(expected) => choosing.expect(&expected),
-            Told::Attempt(attempt) => choosing.begin(attempt),
+            SearchProgress::Expected(expected) => choosing.expect(&expected),
+            SearchProgress::Attempt(attempt) => choosing.begin(attempt),
         });
         drop(under_way);
         chosen

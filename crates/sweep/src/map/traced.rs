@@ -103,7 +103,7 @@ impl TracedMap<'_> {
             match class {
                 Class::With => with += 1,
                 Class::Without => {}
-                Class::Untold | Class::Unknown => return None,
+                Class::Undetermined | Class::Unknown => return None,
             }
         }
         Some(symbol_of_counts(with, self.methods))

@@ -89,7 +89,7 @@ fn fill(standing: Standing) -> CellFill {
         Standing::Possible => CellFill::Safety(Safety::Conditional),
         Standing::Near => CellFill::Safety(Safety::Near),
         Standing::Against => CellFill::Safety(Safety::Unsafe),
-        Standing::Untold => CellFill::NoCase,
+        Standing::Undetermined => CellFill::NoCase,
     }
 }
 
@@ -104,7 +104,7 @@ fn keys(chart: &Chart) -> Vec<(CellFill, String)> {
         (Standing::Near, "within the margin of a limit"),
         (Standing::Against, "on the wrong side of a limit"),
         (
-            Standing::Untold,
+            Standing::Undetermined,
             "not known: no answer, or stuck to the end",
         ),
     ];
@@ -155,7 +155,7 @@ fn edge(chart: &Chart, limit: &Limit) -> Vec<Vec<[f64; 2]>> {
     let against = |standing: &Standing| match standing {
         Standing::Clear | Standing::Possible => Some(0.0),
         Standing::Near => Some(0.5),
-        Standing::Against | Standing::Untold => Some(1.0),
+        Standing::Against | Standing::Undetermined => Some(1.0),
     };
     let values: Vec<Option<f64>> = limit.standings.iter().map(against).collect();
     let middle = |axis: usize, place: f64| {
@@ -216,7 +216,7 @@ impl WindowSheet<'_> {
                 (Standing::Against, "of the map on its wrong side"),
                 (Standing::Possible, "of the map, once begun"),
                 (Standing::Near, "within its margin"),
-                (Standing::Untold, "not known"),
+                (Standing::Undetermined, "not known"),
             ] {
                 let part = self.chart.part(limit, standing);
                 if part > 0.0 {

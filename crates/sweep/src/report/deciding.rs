@@ -3,7 +3,9 @@
 
 use super::document::{Block, Table};
 use campaign::words::counted;
-use results::analysis::{Counts, DRAWN, Indices, LEAST_BLOCKS, MethodBlocks, Untold, sensitivity};
+use results::analysis::{
+    Counts, DRAWN, IndexUnavailable, Indices, LEAST_BLOCKS, MethodBlocks, sensitivity,
+};
 use results::folder::Manifest;
 
 /// From counts over each axis.
@@ -60,11 +62,11 @@ pub fn of_blocks(manifest: &Manifest, methods: &[MethodBlocks]) -> Vec<Block> {
                     };
                     blocks.push(Block::Table(table(manifest, name, &found)));
                 }
-                Err(Untold::Rare(count)) => blocks.push(Block::Text(format!(
+                Err(IndexUnavailable::Rare(count)) => blocks.push(Block::Text(format!(
                     "{name}: {count} independent cases alone differ from the others, too few to \
                      tell."
                 ))),
-                Err(Untold::Alike | Untold::FewBlocks) => {}
+                Err(IndexUnavailable::Alike | IndexUnavailable::FewBlocks) => {}
             }
         }
     }

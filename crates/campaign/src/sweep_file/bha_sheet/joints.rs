@@ -30,7 +30,7 @@ const DOUBTFUL: f64 = 0.1;
 
 /// What a row's weight says.
 #[derive(Debug, Clone)]
-pub struct Told {
+pub struct WeightCheck {
     /// Its line in the sheet.
     pub line: usize,
     /// What it is.
@@ -68,7 +68,7 @@ struct Part {
     outer: f64,
 }
 
-impl Told {
+impl WeightCheck {
     /// What its weight comes to, where it has one that is not that of its dimensions.
     pub fn words(&self, units: Units) -> Option<String> {
         let per_cent = 100.0 * self.excess.filter(|excess| excess.abs() > SAME_WEIGHT)?;
@@ -108,7 +108,7 @@ impl Part {
 ///
 /// # Errors
 /// Which of its numbers is that of no tube; begins with its line.
-pub fn section(row: &Row, density: f64) -> Result<(Value, Told), String> {
+pub fn section(row: &Row, density: f64) -> Result<(Value, WeightCheck), String> {
     let joints = row.joints.unwrap_or_else(|| {
         let many = row.length > LONGEST_JOINT;
         let usual = if many { row.length / USUAL_JOINT } else { 1.0 };
@@ -145,7 +145,7 @@ pub fn section(row: &Row, density: f64) -> Result<(Value, Told), String> {
         check(part).map_err(|reason| format!("{}: {reason}", row.line))?;
     }
     let touches = touching(row, &parts).map_err(|reason| format!("{}: {reason}", row.line))?;
-    let told = Told {
+    let told = WeightCheck {
         line: row.line,
         name: row.name.clone(),
         kind: row.kind,

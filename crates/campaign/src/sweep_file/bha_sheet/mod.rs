@@ -19,7 +19,7 @@ use columns::{NO_LENGTH, Quantity, SheetColumns, WANTED};
 use kind::{is_from_bit, not_modelled};
 use rows::{Row, rows_of};
 
-pub use joints::Told;
+pub use joints::WeightCheck;
 pub use kind::Kind;
 
 /// What a sheet's weights come to, and what is passed over of it.
@@ -28,7 +28,7 @@ pub struct SheetNotes {
     /// The sheet, as the file names it.
     pub file: String,
     /// What each row with a weight comes to.
-    pub rows: Vec<Told>,
+    pub rows: Vec<WeightCheck>,
     /// Names of columns that say nothing here.
     pub passed_over: Vec<String>,
     /// Lines below the headings that begin with `#`, which are comments.
@@ -98,14 +98,15 @@ pub fn put_sections(
 impl SheetNotes {
     /// What the weights of rows come to that are not those of their dimensions.
     pub fn lines(&self, units: Units) -> impl Iterator<Item = String> {
-        let words = move |row: &Told| Some(format!("{}: {}", row.name, row.words(units)?));
+        let words = move |row: &WeightCheck| Some(format!("{}: {}", row.name, row.words(units)?));
         self.rows.iter().filter_map(words)
     }
 
     /// What is doubtful, each with its place.
     pub fn doubts(&self, units: Units) -> Vec<String> {
-        let place =
-            |row: &Told, words: &str| format!("{}:{}: {}: {words}", self.file, row.line, row.name);
+        let place = |row: &WeightCheck, words: &str| {
+            format!("{}:{}: {}: {words}", self.file, row.line, row.name)
+        };
         let mut doubts = Vec::new();
         if !self.passed_over.is_empty() {
             let names = self.passed_over.join("`, `");
@@ -159,7 +160,7 @@ pub fn comments_words(file: &str, lines: &[usize]) -> String {
 /// A sheet, in its order.
 struct Sheet {
     sections: Vec<Value>,
-    rows: Vec<Told>,
+    rows: Vec<WeightCheck>,
     passed_over: Vec<String>,
     comments: Vec<usize>,
     totals: Vec<usize>,
@@ -187,7 +188,7 @@ fn read(path: &Path, density: f64, text_of: TextOf) -> Result<Sheet, String> {
     }
     let (sections, rows) = (rows.iter())
         .map(|row| joints::section(row, density).map_err(|reason| format!("{name}:{reason}")))
-        .collect::<Result<(Vec<Value>, Vec<Told>), String>>()?;
+        .collect::<Result<(Vec<Value>, Vec<WeightCheck>), String>>()?;
     Ok(Sheet {
         sections,
         rows,

@@ -25,7 +25,7 @@ use comparison::{Found, compare};
 use junit::junit_of_error;
 use reference::{cases_of, read_reference};
 use results::files::write_atomically;
-use told::{Told, annotation};
+use told::{CheckReport, annotation};
 
 /// Reruns the cases of a reference file and compares their labels. What ends it before there is any
 /// is said in the format asked for, too: an output of an earlier check does not outlive it.
@@ -86,7 +86,7 @@ fn compare_labels(arguments: &CheckArguments, terminal: Terminal) -> Result<Stat
     )?;
     let found = run_all(&listed, &numbers, terminal)?;
     let compared = compare(&listed.sweep, &listed.systems, &reference, &found);
-    let told = Told {
+    let told = CheckReport {
         reference: &arguments.reference,
         margin: margin_of(&arguments.reference)?,
         compared: &compared,

@@ -11,7 +11,7 @@ use crate::cli::CheckFormat;
 use campaign::words::counted;
 
 /// The labels of a reference, compared.
-pub struct Told<'a> {
+pub struct CheckReport<'a> {
     /// The reference file, as the command names it.
     pub reference: &'a Path,
     /// How far its cases are from where their labels change, where it says so.
@@ -20,7 +20,7 @@ pub struct Told<'a> {
     pub compared: &'a [Compared],
 }
 
-impl Told<'_> {
+impl CheckReport<'_> {
     /// In a format.
     ///
     /// # Errors

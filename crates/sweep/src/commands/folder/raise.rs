@@ -12,7 +12,7 @@ use crate::commands::warnings::warn_of_broken_lines;
 use campaign::plan::Sweep;
 use results::files::AtomicFile;
 use results::folder::{Manifest, RECORDS, read_records};
-use results::log::{Header, Log, logged, record_line};
+use results::log::{Header, Log, checked, record_line};
 
 /// A header of the same sweep with more or fewer random cases, as if it had as many as
 /// ours; any other is returned as it is.
@@ -88,7 +88,7 @@ pub fn log_of_results(folder: &Path, manifest: &Manifest, header: &Header) -> Re
     let mut log = AtomicFile::create(&folder.join(LOG))?;
     log.write(header.line()?.as_bytes())?;
     for line in read_records(folder)? {
-        log.write(logged(&line?).as_bytes())?;
+        log.write(checked(&line?).as_bytes())?;
     }
     log.finish()?;
     Ok(())

@@ -1,0 +1,239 @@
+//! What a column of results is, and what a row has in it.
+
+use std::f64::consts::TAU;
+
+use sim::{
+    Label, LateralMeasures, Motion, Outcome, StringTorque, SurfaceMeasures, TorsionMeasures,
+};
+
+use super::field::{Field, Kind};
+use super::record::Record;
+use super::verdict::{Certainty, MotionVerdict};
+use crate::quantities::{RPM, Unit, Units};
+
+/// Columns that a table has together, or not at all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Group {
+    /// In every table.
+    Always,
+    /// Torque at the surface, where that is followed.
+    Surface,
+    /// The greatest torque along the string, where that is followed.
+    String,
+    /// What is certain, where labels are certified: what the method says by shorter steps, as far
+    /// as it matters to that, and whether the labels of the row are certain.
+    Certificate,
+    /// How the bit turns from each start, where cases begin in both ways.
+    Starts,
+    /// The sites that a case was found to have besides those of the file, with `;` between them,
+    /// and how often it was run again for them.
+    Found,
+}
+
+/// What has to be modelled for a column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Needs {
+    /// A torque at the bit.
+    Bit,
+    /// A borehole wall.
+    Wall,
+    /// The torque at the surface.
+    SurfaceTorque,
+    /// The torque along the string.
+    StringTorque,
+}
+
+/// A column of results.
+#[derive(Debug)]
+pub struct ResultColumn {
+    /// Its name, which ends in the unit of its numbers.
+    pub name: &'static str,
+    /// What it holds.
+    pub kind: Kind,
+    /// As a person reads it.
+    pub words: &'static str,
+    /// The motion that it is about, where it is about one.
+    pub motion: Option<Motion>,
+    /// Which columns it comes with.
+    pub group: Group,
+    /// Whether a map may have it as colour.
+    pub is_measure: bool,
+    /// Whether it says how severe its motion is.
+    pub is_severity: bool,
+    /// The unit of its numbers; empty where they have none.
+    pub(super) unit: &'static str,
+    field: fn(&Row) -> Field<'static>,
+}
+
+/// A record, with what is certain of it.
+pub struct Row<'a> {
+    pub(super) record: &'a Record,
+    pub(super) outcome: Option<&'a Outcome>,
+    pub(super) certainty: Certainty,
+}
+
+type FieldOf = fn(&Row) -> Field<'static>;
+
+const fn column(
+    name: &'static str,
+    (kind, unit): (Kind, &'static str),
+    words: &'static str,
+    field: FieldOf,
+) -> ResultColumn {
+    ResultColumn {
+        name,
+        kind,
+        words,
+        motion: None,
+        group: Group::Always,
+        is_measure: false,
+        is_severity: false,
+        unit,
+        field,
+    }
+}
+
+pub(super) const fn number(
+    name: &'static str,
+    unit: &'static str,
+    words: &'static str,
+    field: FieldOf,
+) -> ResultColumn {
+    column(name, (Kind::Number, unit), words, field)
+}
+
+pub(super) const fn count(name: &'static str, words: &'static str, field: FieldOf) -> ResultColumn {
+    column(name, (Kind::Count, ""), words, field)
+}
+
+pub(super) const fn text(name: &'static str, words: &'static str, field: FieldOf) -> ResultColumn {
+    column(name, (Kind::Text, ""), words, field)
+}
+
+pub(super) const fn flag(name: &'static str, words: &'static str, field: FieldOf) -> ResultColumn {
+    column(name, (Kind::Flag, ""), words, field)
+}
+
+impl ResultColumn {
+    pub(super) const fn of(mut self, motion: Motion) -> Self {
+        self.motion = Some(motion);
+        self
+    }
+
+    pub(super) const fn group(mut self, group: Group) -> Self {
+        self.group = group;
+        self
+    }
+
+    pub(super) const fn measure(mut self) -> Self {
+        self.is_measure = true;
+        self
+    }
+
+    pub(super) const fn severity(mut self) -> Self {
+        self.is_severity = true;
+        self
+    }
+
+    /// The column of a motion's label.
+    pub fn label_of(motion: Motion) -> &'static str {
+        motion.name()
+    }
+
+    /// The column of whether that label is certain.
+    pub fn certainty_of(motion: Motion) -> &'static str {
+        match motion {
+            Motion::Torsion => "torsion_certified",
+            Motion::Lateral => "lateral_certified",
+        }
+    }
+
+    /// What a row has in it.
+    pub fn field(&self, row: &Row) -> Field<'static> {
+        (self.field)(row)
+    }
+
+    /// The unit in which its numbers are shown.
+    pub fn unit(&self, units: Units) -> Unit {
+        let twin = (units.twin_of(self.name)).filter(|twin| twin.units[0] == self.unit);
+        twin.map_or_else(|| Unit::unchanged(self.unit), |twin| units.of(twin))
+    }
+
+    /// What has to be modelled for it.
+    pub fn needs(&self) -> Option<Needs> {
+        match (self.group, self.motion) {
+            (Group::Surface, _) => Some(Needs::SurfaceTorque),
+            (Group::String, _) => Some(Needs::StringTorque),
+            (_, Some(Motion::Torsion)) => Some(Needs::Bit),
+            (_, Some(Motion::Lateral)) => Some(Needs::Wall),
+            (_, None) => None,
+        }
+    }
+}
+
+impl<'a> Row<'a> {
+    /// Of a record.
+    pub fn new(record: &'a Record, certainty: Certainty) -> Self {
+        Self {
+            record,
+            outcome: record.outcome.as_ref().ok(),
+            certainty,
+        }
+    }
+
+    pub(super) fn label(&self, motion: Motion) -> Field<'static> {
+        let label = self.outcome.and_then(|outcome| outcome.labels()[motion]);
+        label.map(Label::name).into()
+    }
+
+    pub(super) fn torsion(&self) -> Option<TorsionMeasures> {
+        self.outcome.and_then(Outcome::torsion)
+    }
+
+    pub(super) fn lateral(&self) -> Option<LateralMeasures> {
+        self.outcome.and_then(Outcome::lateral)
+    }
+
+    pub(super) fn surface(&self) -> Option<SurfaceMeasures> {
+        self.outcome.and_then(|outcome| outcome.surface)
+    }
+
+    pub(super) fn string_torque(&self) -> Option<StringTorque> {
+        self.outcome.and_then(|outcome| outcome.string_torque)
+    }
+
+    pub(super) fn finer(&self, motion: Motion) -> Option<MotionVerdict> {
+        self.record.finer.and_then(|finer| finer[motion])
+    }
+
+    pub(super) fn finer_label(&self, motion: Motion) -> Field<'static> {
+        self.finer(motion).map(|it| it.label().name()).into()
+    }
+
+    pub(super) fn found_sites(&self) -> Field<'static> {
+        let found = self.record.found.as_ref();
+        let sites = found.map(|found| found.sites.iter().map(f64::to_string));
+        let sites: Vec<String> = sites.into_iter().flatten().collect();
+        sites.join(";").into()
+    }
+}
+
+/// A metre in mm.
+pub fn to_mm(length: f64) -> f64 {
+    1e3 * length
+}
+
+/// A newton in kN.
+pub fn to_kn(force: f64) -> f64 {
+    1e-3 * force
+}
+
+/// A radian per second in turns per second.
+pub fn to_turns(rate: f64) -> f64 {
+    rate / TAU
+}
+
+/// A radian per second in rpm.
+pub fn to_rpm(speed: f64) -> f64 {
+    speed / RPM
+}
