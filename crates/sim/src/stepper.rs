@@ -388,6 +388,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     }
 
     /// How the bit turned in the last step, and its speed, rad/s, where a law acts there.
+    #[inline]
     pub(crate) fn bit_motion(&self) -> Option<(BitMotion, f64)> {
         let ((law, _), step) = self.bit.zip(self.now.bit.as_ref())?;
         Some((law.motion(step), step.speed))

@@ -13,7 +13,7 @@ pub(crate) struct Load {
 #[derive(Debug)]
 pub(crate) struct Loads {
     pub(super) all: Vec<Load>,
-    /// The ports whose load is not zero, in rising order.
+    /// The ports whose load is not zero, in rising order; where only one ever bears a load, that.
     pub(super) acting: Vec<usize>,
 }
 
@@ -42,6 +42,15 @@ impl Loads {
             }
         }
         before
+    }
+
+    /// Gives a load to the only port that ever bears one.
+    #[inline]
+    pub(super) fn set_only(&mut self, port: usize, load: Load) {
+        self.all[port] = load;
+        if self.acting.is_empty() {
+            self.acting.push(port);
+        }
     }
 
     /// Those that act on other ports than this one.

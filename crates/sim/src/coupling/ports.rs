@@ -140,12 +140,10 @@ impl<'a> Coupling<'a> {
     }
 
     /// The torque on the one port that bears a load.
+    #[inline]
     pub(crate) fn set_torque(&mut self, port: usize, torque: f64) {
-        let load = Load {
-            torque,
-            ..self.loads.all[port]
-        };
-        self.loads.replace(port, load);
+        let force = [0.0; 2];
+        self.loads.set_only(port, Load { force, torque });
     }
 
     /// Displacement per force between two ports within a step, m/N; none where either does not

@@ -41,7 +41,7 @@ impl Coupling<'_> {
         if let (Within::All(_), 1) = (self.within, self.pending.len()) {
             // There are no others to agree with.
             let solved = solve(0, self.unloaded(0, free))?;
-            self.loads.replace(0, solved.load);
+            self.loads.set_only(0, solved.load);
             return Ok(true);
         }
         self.pending.fill(f64::INFINITY);

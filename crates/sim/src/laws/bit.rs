@@ -73,6 +73,7 @@ impl TorqueLaw for BitTorque {
 }
 
 impl BitTorque {
+    #[inline]
     fn slide(&self, direction: f64, line: LoadLine) -> Option<TorqueStep<BitMotion>> {
         let against = match self.decay_speed {
             0.0 => self.torque_dynamic,

@@ -64,6 +64,7 @@ impl Watchers {
     }
 
     /// What was done in the last step.
+    #[inline]
     pub(super) fn see<B: TorqueLaw, W: WallLaw>(&mut self, stepper: &Stepper<B, W>) {
         let now = stepper.now();
         match (&mut self.bit, stepper.bit_motion(), self.rubs_at) {
