@@ -12,8 +12,8 @@ install() { cargo install --locked --quiet --root "$tools" "$@"; }
 has mdbook || install mdbook@0.5.4 --no-default-features --features search
 has mdbook-katex || install mdbook-katex@0.10.0
 
-# Pages of docs/ and the README beside them: links between the two are of one folder
-# there, and what is named of the code is told, not linked.
+# Pages of docs/ and the README: links between the two stay within one folder
+# there, and files of the code are named, not linked.
 source=target/book-source
 rm -rf "$source"
 mkdir -p "$source"
