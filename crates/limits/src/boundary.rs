@@ -97,12 +97,12 @@ pub enum BoundaryError {
 
 /// The limit over the range of the design's axes: of whirl where friction at every site is
 /// one of them, else of stick-slip; without points where neither applies, or where other axes
-/// give each case a limit of its own.
+/// give each case its own limit.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, BoundaryError> {
-    // Every string has limits of its own, and every law of the bit.
+    // Every string and every law of the bit has its own limits.
     let axes = sweep.design.axes();
     if sweep.design.varies_string() || axes.iter().any(|axis| axis.changes_bit()) {
         return Ok(Boundary::StickSlip(Vec::new()));

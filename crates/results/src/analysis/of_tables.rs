@@ -10,8 +10,8 @@ use campaign::design::{Member, cases_of_block};
 use campaign::quantities::Axis;
 use campaign::sweep_file::DesignKind;
 
-/// The counts over each set of axes, of so many ranges of an axis that has more than a few values.
-/// Tables are parts of one sweep.
+/// The counts over each set of axes, in the given number of ranges of an axis that has more than a
+/// few values. The tables are shards of one sweep.
 ///
 /// # Errors
 /// Where the tables cannot be read.

@@ -49,7 +49,7 @@ pub struct LogView {
 }
 
 impl LogView {
-    /// Looks at the log of a sweep of so many cases and methods.
+    /// Reads the log of a sweep with these numbers of cases and methods.
     ///
     /// # Errors
     /// Where it is no log or cannot be read.

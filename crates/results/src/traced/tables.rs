@@ -1,5 +1,5 @@
 //! What a traced design delivers: `limits.csv`, the lines of its limits, and `bands.csv`,
-//! how large a part of a tile has the regime where a limit is no line.
+//! which fraction of a tile has the regime where a limit is no line.
 
 use sim::Motion;
 use std::fmt::Write;
@@ -19,7 +19,7 @@ pub struct TracedLimits<'a> {
     design: &'a TraceDesign,
     methods: Vec<String>,
     traced: Traced,
-    /// What was simulated, before what is between is told from it.
+    /// What was simulated, before the points in between are inferred from it.
     known: Known,
     simulated: usize,
 }
@@ -174,7 +174,7 @@ fn between(values: &[f64], place: usize) -> (f64, f64) {
     (0.5 * (low + high), 0.5 * (high - low))
 }
 
-/// Writes `limits.csv` and `bands.csv` beside the `labels.csv` of a folder, and notes them in
+/// Writes `limits.csv` and `bands.csv` next to the `labels.csv` of a folder, and notes them in
 /// its manifest.
 ///
 /// # Errors

@@ -17,7 +17,7 @@ pub struct Source<'a> {
     /// Its name in a legend.
     pub name: String,
     /// What it is and how sure, in words.
-    pub told: String,
+    pub description: String,
     /// Values along both axes at which it may change: no cell has one of them inside.
     pub edges: [Vec<f64>; 2],
     /// How a stretch of the map stands to it.
@@ -43,7 +43,7 @@ pub struct Limit {
     /// Its name in a legend.
     pub name: String,
     /// What it is and how sure, in words.
-    pub told: String,
+    pub description: String,
     /// How it is drawn.
     pub drawn: Drawn,
     /// How each cell stands to it.
@@ -76,7 +76,7 @@ impl Chart {
                 .map(|cell| (source.standing)(chart.ends(cell)))
                 .collect(),
             name: source.name,
-            told: source.told,
+            description: source.description,
             drawn: source.drawn,
         });
         let limits = limits.collect();
@@ -156,7 +156,7 @@ impl Chart {
     }
 }
 
-/// The ends of a range, all edges inside it, and so many more that no cell is too large.
+/// The ends of a range, all edges inside it, and enough more that no cell is too large.
 fn edges([least, most]: [f64; 2], all: impl Iterator<Item = f64>) -> Vec<f64> {
     let width = most - least;
     let room = SAME_PLACE * width;
@@ -185,7 +185,7 @@ pub(super) mod tests {
     pub fn chart(of: Vec<StandingOf>) -> Chart {
         let sources = of.into_iter().enumerate().map(|(index, standing)| Source {
             name: format!("limit {index}"),
-            told: String::new(),
+            description: String::new(),
             edges: [Vec::new(), Vec::new()],
             standing,
             drawn: Drawn::Edge,
