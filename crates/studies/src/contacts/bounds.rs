@@ -20,7 +20,7 @@ pub struct Bounds {
     pub carried: f64,
 }
 
-/// The bounds of so many contacts.
+/// The bounds for a number of contacts.
 ///
 /// # Errors
 /// Where a contact is not on the string.

@@ -57,7 +57,7 @@ impl Tested {
     }
 }
 
-/// Tests the labels of cases of so many strings for each motion; `done` is called after each
+/// Tests the labels of cases of a number of strings for each motion; `done` is called after each
 /// string.
 ///
 /// # Errors

@@ -83,8 +83,8 @@ impl Symptom {
 }
 
 impl Findings {
-    /// Whether the margins predict that the cell is stable; `None` where there
-    /// is no margin, or it says nothing of what is looked at.
+    /// Whether the margins predict that the cell is stable; `None` where there is no margin, or it
+    /// does not cover what is examined.
     pub fn predicted_stable(&self) -> Option<bool> {
         let margins = [self.margin_torsion, self.margin_bending];
         let smallest = margins.into_iter().flatten().reduce(f64::min);

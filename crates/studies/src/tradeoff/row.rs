@@ -3,7 +3,7 @@
 use super::configuration::Configuration;
 use super::measure::Measure;
 
-/// Costs are those of a sweep of so many cases.
+/// Costs are those of a sweep with this number of cases.
 pub const CASES: f64 = 1000.0;
 /// Seconds simulated of each case.
 pub const CASE_SECONDS: f64 = 10.0;
