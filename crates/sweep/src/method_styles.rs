@@ -33,7 +33,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_method_has_its_colour_whatever_follows_its_name() {
+    fn a_method_has_its_colour_with_any_suffix() {
         assert_eq!(method_style("hilbert, γ = 0.5"), method_style("hilbert"));
         assert_eq!(method_style("recorded"), LineStyle::default());
     }

@@ -29,7 +29,7 @@ pub fn parse_part(text: &str) -> Result<f64, String> {
     part.ok_or_else(|| format!("`{text}` is not a part from 0 to 0.5"))
 }
 
-/// A part of a value, up to a half, which may be told in per cent.
+/// A fraction, up to a half, which may be given in per cent.
 ///
 /// # Errors
 /// What is wrong with it.

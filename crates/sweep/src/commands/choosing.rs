@@ -1,5 +1,5 @@
-//! Choosing for an accuracy, which may take minutes: what is tried is told
-//! meanwhile, and at the end what it took.
+//! Choosing for an accuracy, which may take minutes: reports what is tried, and at the end what it
+//! took.
 
 use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -19,7 +19,7 @@ use campaign::memory::Limit;
 use campaign::plan::{Candidate, Sweep};
 use campaign::words::short;
 
-/// An attempt that is expected to take longer than this, s, is told before it is made.
+/// An attempt that is expected to take longer than this, s, is announced.
 const LONG: f64 = 5.0;
 
 /// The sweep or, where it asks for an accuracy, that with what is chosen for it; tells
@@ -46,7 +46,7 @@ pub fn choose(
                 shown.tell();
             }
         });
-        let chosen = accuracy::choose(&sweep, full, limit, &|told| match told {
+        let chosen = accuracy::choose(&sweep, full, limit, &|progress| match progress {
             SearchProgress::Expected(expected) => choosing.expect(&expected),
             SearchProgress::Attempt(attempt) => choosing.begin(attempt),
         });

@@ -1,4 +1,4 @@
-//! Cases of a list, run for their labels alone: those of a reference, and those beside them.
+//! Cases of a list, run for their labels alone: those of a reference, and their neighbours.
 
 use std::path::Path;
 

@@ -14,8 +14,8 @@ use campaign::plan::{Setting, Sweep};
 use campaign::sweep_file::SweepFileError;
 use campaign::text_file::read_text;
 
-/// Reads a sweep file and puts the methods asked for in place of its own; or chooses
-/// one, where it asks for an accuracy, telling what it tries unless `quiet`.
+/// Reads a sweep file and replaces its methods by those asked for; or chooses one, where it asks
+/// for an accuracy, reporting what it tries unless `quiet`.
 ///
 /// # Errors
 /// Where the file does not make sense, or no method is accurate enough.

@@ -1,4 +1,4 @@
-//! Classes of a quantity between round numbers, told apart by shade.
+//! Classes of a quantity between round numbers, distinguished by shade.
 
 use campaign::words::short;
 use plot::Fraction;
@@ -161,7 +161,7 @@ mod tests {
                 "0 to 1", "1 to 2", "2 to 5", "5 to 10", "10 to 20", "20 to 50"
             ]
         );
-        // Amounts on both sides of zero have even classes whatever they are.
+        // Amounts on both sides of zero always have even classes.
         values.push(-40.0);
         assert_eq!(words(&values)[0], "-40 to -20");
     }

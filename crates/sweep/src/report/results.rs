@@ -71,7 +71,7 @@ impl Results {
         Ok(())
     }
 
-    /// Draws the map for a page of so many folders, where it is of a whole sweep.
+    /// Draws the map for a page of a number of folders, where it is of a whole sweep.
     ///
     /// # Errors
     /// Where the tables cannot be read.

@@ -46,7 +46,7 @@ fn cases_of(manifest: &Manifest) -> String {
         ),
         None => counted(manifest.cases, "case"),
         Some(trace) => format!(
-            "Limits traced with {} of the {} of a grid as fine",
+            "Limits traced with {} of the {} of the equivalent grid",
             counted(trace.simulated, "case"),
             trace.cases_of_grid
         ),
@@ -310,7 +310,7 @@ fn limits(all: &[Results]) -> Vec<Block> {
         let Some(limits) = &results.limits else {
             let text = match results.tables.so_far {
                 None => "No limit is known for these cases.",
-                Some(_) => "The limit is told when the run is finished.",
+                Some(_) => "The limit is given when the run is finished.",
             };
             return note(all, results, text);
         };

@@ -46,7 +46,7 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
     let tables = (arguments.folders.iter())
         .map(|folder| tables_of(folder, terminal))
         .collect::<Result<Vec<_>>>()?;
-    refuse_strangers(arguments, &tables)?;
+    reject_foreign_folders(arguments, &tables)?;
     let manifest = &tables[0].manifest;
     if manifest.is_trace() {
         let name = arguments.folders[0].display();
@@ -96,7 +96,7 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
 }
 
 /// Folders are counted together if they are different parts of one sweep.
-fn refuse_strangers(arguments: &AnalyseArguments, tables: &[ResultTables]) -> Result<()> {
+fn reject_foreign_folders(arguments: &AnalyseArguments, tables: &[ResultTables]) -> Result<()> {
     let folders = arguments.folders.iter().zip(tables);
     for (index, (folder, tables)) in folders.clone().enumerate() {
         let manifest = &tables.manifest;
@@ -125,11 +125,11 @@ fn sets_of_axes(arguments: &AnalyseArguments, known: &[Axis]) -> Result<Vec<Vec<
     let mut sets = vec![Vec::new()];
     sets.extend(known.iter().map(|&axis| vec![axis]));
     for axes in &arguments.by {
-        if let Some(stranger) = axes.0.iter().find(|axis| !known.contains(axis)) {
+        if let Some(unknown) = axes.0.iter().find(|axis| !known.contains(axis)) {
             let names: Vec<String> = known.iter().map(|axis| axis.name()).collect();
             bail!(UsageError(format!(
                 "--by: the cases do not differ in {}; they do in {}",
-                stranger.name(),
+                unknown.name(),
                 names.join(", ")
             )));
         }

@@ -59,7 +59,7 @@ fn place(counts: &Counts, cell: usize) -> String {
     fields.join(",")
 }
 
-/// The indices of what can be told, of first order and of all, each with its interval.
+/// The indices that can be estimated, of first order and total, each with its interval.
 pub fn indices_csv(axes: &[Axis], methods: &[MethodBlocks]) -> String {
     let mut text = INDICES.to_owned();
     for of_method in methods {

@@ -44,7 +44,7 @@ pub fn junit(reference: &Path, compared: &[Compared]) -> Result<String> {
     Ok(String::from_utf8(writer.into_inner())? + "\n")
 }
 
-/// The document about a check that came to no label.
+/// The document about a check that failed before any label.
 ///
 /// # Errors
 /// Where memory does not take it.

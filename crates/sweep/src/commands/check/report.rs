@@ -87,14 +87,14 @@ pub fn annotation(file: &Path, error: &str) -> String {
     )
 }
 
-/// A line that is no command of a workflow, whatever is in it.
+/// A line that is no command of a workflow, for any text.
 fn plain_line(text: &str) -> String {
     let text = text.trim_end().replace(['\r', '\n'], " ");
     let begins_one = text.trim_start().starts_with("::");
     format!("{}{text}\n", if begins_one { "labels: " } else { "" })
 }
 
-/// What follows `::` in a command of a workflow: a line, whatever is in it.
+/// What follows `::` in a command of a workflow: one line, for any text.
 fn data(text: &str) -> String {
     let text = text.replace('%', "%25");
     text.replace('\r', "%0D").replace('\n', "%0A")

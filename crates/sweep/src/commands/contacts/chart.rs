@@ -1,6 +1,6 @@
 //! Limits and bounds over the number of contacts, a panel for each string.
 
-use super::table::blow_name;
+use super::table::impulse_name;
 use crate::commands::prepare::unique;
 use crate::method_styles::method_style;
 use plot::{Axis, LineStyle, Look, Panel, Picture, Series, panels};
@@ -52,7 +52,7 @@ fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
         }
     };
     for row in rows {
-        let mut name = blow_name(&row.blow, lowest);
+        let mut name = impulse_name(&row.impulse, lowest);
         let mut style = LineStyle::default();
         if several {
             let method = row.method.name();

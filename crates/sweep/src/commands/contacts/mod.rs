@@ -62,7 +62,7 @@ fn admit(subject: &Subject, arguments: &ContactsArguments) -> Result<()> {
     let limit = arguments.work.memory.limit();
     if bytes > limit.bytes {
         bail!(UsageError(format!(
-            "--counts: so many contacts for so many samples would take {} of memory by these \
+            "--counts: this number of contacts and samples would take {} of memory by these \
              methods; limit: {limit}",
             Size(bytes)
         )));

@@ -47,8 +47,8 @@ fn subject(
 ) -> Result<Subject> {
     for &(axis, value) in &arguments.set {
         let refusal = match axis {
-            Axis::WallAtSite { .. } => Some("the study has sites of its own".to_owned()),
-            Axis::ImpulseRatio => Some("the study has impulses of its own: --knocks".to_owned()),
+            Axis::WallAtSite { .. } => Some("the study chooses its own sites".to_owned()),
+            Axis::ImpulseRatio => Some("the study chooses its own impulses: --impulses".to_owned()),
             Axis::FRICTION => Some("the study looks for it".to_owned()),
             _ => axis.check(value).err().map(|reason| reason.to_string()),
         };
@@ -72,16 +72,16 @@ fn subject(
             .flatten()
             .collect()
     };
-    let knocked_at: Vec<f64> = arguments.knock_at.clone().unwrap_or_else(usual);
+    let struck_at: Vec<f64> = arguments.impulse_at.clone().unwrap_or_else(usual);
     let subject = Subject {
         name,
         values,
         sweep,
         range,
         counts: unique(&arguments.counts),
-        knocked_at: unique(&knocked_at),
-        knocks: unique(&arguments.knocks),
-        blows: unique(&arguments.blows),
+        struck_at: unique(&struck_at),
+        ratios: unique(&arguments.impulses),
+        per_metre: unique(&arguments.impulses_along),
         time: arguments.time_s,
         sampling_frequency: arguments.sampling_hz,
     };

@@ -1,5 +1,4 @@
-//! Results folders of which something is lost: who reads them is told, and what
-//! can be made again is.
+//! Damaged results folders: readers are warned, and what can be restored is.
 
 use std::path::Path;
 

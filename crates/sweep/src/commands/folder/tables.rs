@@ -10,7 +10,7 @@ use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use results::folder::ResultTables;
 
-/// Refuses a folder that is none, or has neither results nor a log.
+/// Refuses a path that is no folder, or a folder with neither results nor a log.
 ///
 /// # Errors
 /// What is missing.
@@ -38,7 +38,7 @@ pub fn tables_of(folder: &Path, terminal: Terminal) -> Result<ResultTables> {
         let Some(tables) = ResultTables::so_far(&log)? else {
             bail!(UsageError(format!(
                 "{} holds a run that has only just begun ({LOG}): the same `sweep run` as before \
-                 goes on with it",
+                 continues it",
                 folder.display()
             )));
         };

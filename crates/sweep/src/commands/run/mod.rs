@@ -31,7 +31,7 @@ pub fn run(arguments: &RunArguments, terminal: Terminal) -> Result<Status> {
     match task.look(arguments.fresh)? {
         found if arguments.dry_run => tell_plan(&task, &found),
         Found::Complete(manifest) => show_again(&task, *manifest),
-        _ => begin_or_go_on(&task, start),
+        _ => begin_or_continue(&task, start),
     }
 }
 
@@ -44,7 +44,7 @@ fn tell_plan(task: &Task, found: &Found) -> Result<Status> {
     Ok(Status::Complete)
 }
 
-fn begin_or_go_on(task: &Task, start: Instant) -> Result<Status> {
+fn begin_or_continue(task: &Task, start: Instant) -> Result<Status> {
     let systems = Systems::build(task)?;
     make_folder(&task.folder)?;
     let lock = hold(&task.folder, LOG, task.terminal)?;

@@ -31,7 +31,7 @@ pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<
         Found::Unfinished { .. } => {
             let (cases, methods) = (sweep.design.cases(), sweep.methods.len());
             let log = LogView::open(&task.folder.join(LOG), cases, methods)?;
-            (log.counts.done, "a stopped run goes on")
+            (log.counts.done, "a stopped run continues")
         }
         Found::Fewer(manifest) => {
             let why = "the sweep has more cases than are there";
@@ -108,7 +108,10 @@ fn strings(task: &Task) -> String {
     let mut text = format!("{strings}, each built once\n");
     let impossible = task.survey.impossible_strings;
     if impossible > 0 {
-        text += &format!("{impossible} of them cannot be: their cases will fail\n");
+        text += &format!(
+            "{impossible} strings are invalid; their cases will be recorded as \
+                          failed\n"
+        );
     }
     text
 }

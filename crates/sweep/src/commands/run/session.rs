@@ -38,7 +38,7 @@ pub struct Session<'a> {
     start: Instant,
 }
 
-/// What is said of a run that does not come to its end.
+/// What is said of a run that is stopped before its end.
 #[derive(Clone)]
 struct SoFar {
     /// Simulations in all, where that is known beforehand.
@@ -51,7 +51,7 @@ impl SoFar {
     fn text(&self, done: usize) -> String {
         let Self { total, place } = self;
         let of = total.map_or_else(String::new, |total| format!(" of {total}"));
-        format!("{done}{of} simulations are done and kept in {place}: the same command goes on")
+        format!("{done}{of} simulations are done and kept in {place}: the same command continues")
     }
 }
 
@@ -89,7 +89,7 @@ impl<'a> Session<'a> {
     /// # Errors
     /// Where the log cannot be written; with `--fail-fast`, where a case has no answer.
     pub fn simulate(&self) -> Result<()> {
-        // Of a trace it is told again with each round.
+        // Of a trace it is reported again with each round.
         let sweep = &self.task.sweep;
         let likely = || sweep.design.likely_cases() * sweep.methods.len();
         let total = self.so_far.total.unwrap_or_else(likely);

@@ -22,7 +22,7 @@ use results::log::{Header, Log};
 pub struct Task<'a> {
     /// What was asked for.
     pub arguments: &'a RunArguments,
-    /// Where it is told of.
+    /// Where it is reported.
     pub terminal: Terminal,
     /// The sweep.
     pub sweep: Sweep,
@@ -58,7 +58,7 @@ impl<'a> Task<'a> {
         let shard = arguments.shard.unwrap_or(Shard::WHOLE);
         if matches!(sweep.design, Design::Trace(_)) && !shard.is_whole() {
             bail!(UsageError(
-                "--shard: a trace is not split, for where it goes on hangs on all its cases"
+                "--shard: a trace is not split, because its next cases depend on all that are done"
                     .to_owned()
             ));
         }
@@ -81,7 +81,7 @@ impl<'a> Task<'a> {
         })
     }
 
-    /// Looks at the folder; a `fresh` run goes on from nothing.
+    /// Examines the folder; a `fresh` run ignores what is there.
     ///
     /// # Errors
     /// As [`look`].

@@ -58,8 +58,8 @@ pub fn at_found_sites(
         .any(|row| sites_of(row).as_ref() != Some(&sites))
     {
         bail!(UsageError(
-            "`sites = \"auto\"` finds other sites for other cases and methods, which cannot be drawn \
-             beside each other: simulate one --case by one of --methods at a time"
+            "`sites = \"auto\"` finds other sites for other cases and methods, which cannot be \
+             drawn together: simulate one --case by one of --methods at a time"
                 .to_owned()
         ));
     }

@@ -1,7 +1,6 @@
-//! `sweep simulate`: a case in full (Figs. 7, 8, 10–13, 15 and 16), or a few
-//! beside each other. A case of the sweep is the case that `run` runs: the same
-//! linear systems, built for as long, and the same row; its history is followed to the
-//! end of its time.
+//! `sweep simulate`: a case in full (Figs. 7, 8, 10–13, 15 and 16), or a few together. A case of
+//! the sweep is the case that `run` runs: the same linear systems, built for as long, and the same
+//! row; its history is followed to the end of its time.
 
 mod film;
 mod found;

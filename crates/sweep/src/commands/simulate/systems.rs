@@ -63,7 +63,7 @@ pub fn run_options(sweep: &Sweep, arguments: &SimulateArguments) -> RunOptions {
     RunOptions {
         full: arguments.full,
         // Where all cases share a string, a run refuses the method before any row:
-        // what it would do can be looked at here.
+        // what it would do can be seen here.
         allow_unstable: arguments.allow_unstable || !sweep.design.varies_string(),
     }
 }

@@ -35,8 +35,8 @@ pub fn limits(
     Ok(found)
 }
 
-/// What may shake the string sideways or along itself, and has no limit on the sheet.
-pub fn not_looked_at(sweep: &Sweep, arguments: &WindowArguments) -> Vec<String> {
+/// What may shake the string sideways or along itself, and has no limit on the chart.
+pub fn not_examined(sweep: &Sweep, arguments: &WindowArguments) -> Vec<String> {
     let axial = "vibration along the string, and a bit that bounces: they are not modelled";
     let sideways = match &sweep.setting.lateral {
         None => Some("vibration sideways and whirl: the file has no [wall]".to_owned()),
@@ -108,10 +108,10 @@ fn whirl(
     let frictions = friction(sweep, lateral, margin);
     let [latest, soonest] = whirl_from(&sweep.setting, lateral, speeds, frictions)?;
     let [least, most] = frictions.map(short);
-    let told = match soonest {
+    let extent = match soonest {
         None => format!("nowhere on the map, with friction up to {most}"),
         Some(from) if latest == Some(from) => {
-            format!("on all of the map, with friction {least} to {most}")
+            format!("on the whole map, with friction {least} to {most}")
         }
         Some(from) => {
             let to = latest.map_or_else(
@@ -132,8 +132,8 @@ fn whirl(
         .filter(|from| *from > speeds[0]);
     let soonest_or_never = soonest.unwrap_or(f64::INFINITY);
     Ok(Source {
-        name: "backward whirl can last once begun".to_owned(),
-        told: format!("{told}; balance of forces at one site alone"),
+        name: "backward whirl, if triggered, sustains itself".to_owned(),
+        description: format!("{extent}; balance of forces at one site alone"),
         edges: [Vec::new(), soonest.into_iter().collect()],
         standing: Box::new(move |ends| above_speed(soonest_or_never, ends)),
         drawn: Drawn::Lines(lines.map(line).collect()),
@@ -199,7 +199,7 @@ fn resonances(
         let ends = all.iter().flat_map(|it| it.range);
         Source {
             name: format!("lateral resonance {}×", short(order)),
-            told: format!("{critical}, ± {} %; {held}", short(100.0 * margin)),
+            description: format!("{critical}, ± {} %; {held}", short(100.0 * margin)),
             edges: [Vec::new(), ends.collect()],
             drawn: Drawn::Bands(
                 (all.iter())

@@ -16,7 +16,7 @@ use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::WindowArguments;
-use crate::map::{WindowSheet, window_picture};
+use crate::map::{WindowView, window_picture};
 use campaign::plan::Sweep;
 use campaign::text_file::read_text;
 use results::files::write_atomically;
@@ -35,26 +35,26 @@ pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status>
     let mut all = Vec::with_capacity(folders.len());
     for folder in folders {
         let tables = tables_of(&folder, terminal)?;
-        refuse_strangers(&sweep, &arguments.file, &folder, &tables)?;
+        reject_foreign_folders(&sweep, &arguments.file, &folder, &tables)?;
         all.push((folder, tables));
     }
     let (ranges, mut sources) = simulated::limits(&sweep, &all, arguments)?;
     sources.extend(lateral::limits(&sweep, ranges, arguments)?);
     let chart = Chart::new(ranges, sources);
-    let sheet = WindowSheet {
+    let view = WindowView {
         title: title(&sweep, &all),
         units: sweep.content.units,
         regions: chart.safe_regions(),
         best: chart.best(arguments.clearance),
         clearance: arguments.clearance,
-        not_looked_at: lateral::not_looked_at(&sweep, arguments),
+        not_examined: lateral::not_examined(&sweep, arguments),
         chart: &chart,
     };
     let folder = arguments.out.clone().unwrap_or_else(|| all[0].0.clone());
     make_folder(&folder)?;
     write_atomically(&folder.join("window.csv"), &tables::window(&chart)?)?;
-    save_picture(&folder, "window", &window_picture(&sheet))?;
-    say(&words::describe(&sheet, &folder))?;
+    save_picture(&folder, "window", &window_picture(&view))?;
+    say(&words::describe(&view, &folder))?;
     Ok(Status::Complete)
 }
 
@@ -64,7 +64,7 @@ fn title(sweep: &Sweep, all: &[(PathBuf, ResultTables)]) -> String {
     format!("{}: operating window{so_far}", sweep.title)
 }
 
-/// Keys of what turns, bends and stands around the string: limits of others are none of this one.
+/// Keys of what turns, bends and surrounds the string: limits for other values do not apply.
 const OF_STRING: [&str; 8] = [
     "string",
     "top_drive",
@@ -76,8 +76,8 @@ const OF_STRING: [&str; 8] = [
     "wall",
 ];
 
-/// Refuses results of another string, and those that say nothing over weight and speed.
-fn refuse_strangers(
+/// Refuses results of another string, and those that do not cover weight and speed.
+fn reject_foreign_folders(
     sweep: &Sweep,
     file: &Path,
     folder: &Path,

@@ -74,7 +74,7 @@ fn of_cases(
     };
     Source {
         name: format!("{regime} (simulated{of})"),
-        told: told(&found, manifest, risk),
+        description: describe(&found, manifest, risk),
         edges: found.edges(),
         standing: Box::new(move |ends| found.standing(ends)),
         drawn: Drawn::Edge,
@@ -82,7 +82,7 @@ fn of_cases(
 }
 
 /// How many cases, and what is between right and wrong.
-fn told(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
+fn describe(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
     let methods = manifest.method_names().join(", ");
     let cases = manifest.tally.rows / manifest.methods.len().max(1);
     let cases = counted(cases, "case");
@@ -133,14 +133,14 @@ fn of_curves(
     let names: Vec<&str> = (curves.iter())
         .filter_map(|curve| curve.method.as_deref())
         .collect();
-    let told = match &names[..] {
+    let description = match &names[..] {
         [name] => format!("by {name}"),
         names => format!("margin: between {}", names.join(", ")),
     };
     let lines = curves.iter().flat_map(|curve| curve.pieces.clone());
     Ok(Some(Source {
         name: "stick-slip can last (Eq. 74)".to_owned(),
-        told,
+        description,
         edges: Default::default(),
         drawn: Drawn::Lines(lines.collect()),
         standing: Box::new(move |ends| below_curves(&curves, ends)),
