@@ -167,7 +167,7 @@ fn a_cell_is_safe_where_cases_around_it_are_smooth_and_above_eq_74() {
             "{w} {s}"
         );
     }
-    assert!(said.contains("not looked at"), "{said}");
+    assert!(said.contains("not examined"), "{said}");
     for name in ["window.svg", "window.png"] {
         assert!(place.path(&format!("results/small/{name}")).exists());
     }
@@ -315,8 +315,8 @@ fn random_string(numbers: &mut Numbers, [shortest, longest]: [f64; 2]) -> String
     )
 }
 
-/// How often what is safe is not, by a method that the window did not see: on so many random strings
-/// as `STRINGS` says, traced to 1/64 of the axes, 400 random cases each.
+/// How often what is safe is not, by a method that the window did not see: on a number of random
+/// strings, `STRINGS`, traced to 1/64 of the axes, 400 random cases each.
 #[test]
 fn what_is_safe_is_smooth_by_another_method_too() {
     let strings = std::env::var("STRINGS")

@@ -1,5 +1,5 @@
 //! Every piece of a sweep file in the README and the guide, taken as a reader does who copies it:
-//! each is accepted, and gives the numbers that are printed beside it.
+//! each is accepted, and gives the numbers that are printed next to it.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -108,7 +108,7 @@ fn pieces(text: &str) -> Vec<String> {
     blocks.map(piece).collect()
 }
 
-/// A text with the tables and lines of a piece in place of its own of the same names.
+/// A text whose tables and lines are replaced by those of a piece with the same names.
 fn replaced(text: &str, piece: &str) -> String {
     let mut whole: toml::Table = text.parse().unwrap();
     let own: toml::Table = piece.parse().unwrap();

@@ -253,7 +253,7 @@ fn the_plotter_depends_on_no_other_crate_of_the_workspace() {
     }
 }
 
-/// The test itself: a circle through a re-export is found, a re-export alone is none.
+/// The test itself: a circle through a re-export is found, a re-export alone is no circle.
 #[test]
 fn a_circle_through_a_reexport_is_found() {
     let mut modules = Crate {

@@ -250,10 +250,10 @@ fn place_of(sweep: &str, more: &[&str]) -> String {
     std::fs::read_to_string(place.path("out/labels.csv")).unwrap()
 }
 
-/// A run that goes on with more cases writes what one run does, and one whose recording has
-/// changed does not go on.
+/// A run that continues with more cases writes what one run does, and one whose recording has
+/// changed does not continue.
 #[test]
-fn results_hang_on_what_the_files_say() {
+fn results_depend_on_what_the_files_say() {
     let sweep = SWEEP.replace(
         "kind = \"grid\"",
         "kind = \"monte-carlo\"\nseed = 3\ncases = 6",
@@ -312,8 +312,8 @@ fn val_a_tolerance_takes_as_many_pieces_as_it_needs() {
     );
 }
 
-/// The greatest torque along the string has columns of its own where it is asked for, and
-/// changes no other; runs that go on and parts that are merged have them to the byte.
+/// The greatest torque along the string has its own columns where it is asked for, and changes no
+/// other; runs that are continued and parts that are merged have them to the byte.
 #[test]
 fn the_greatest_torque_along_the_string_has_columns() {
     let asked = SWEEP.replace("pieces = 8", "pieces = 8\ntorque_along_string = true");

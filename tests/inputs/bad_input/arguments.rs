@@ -1,4 +1,4 @@
-//! Command lines that make no sense, and folders that cannot be.
+//! Command lines that make no sense, and folders that cannot be made.
 
 use crate::refusals::{fails, refused};
 use crate::support::{SMALL, Workplace};
@@ -37,7 +37,7 @@ fn a_command_line_that_makes_no_sense_is_refused() {
 }
 
 #[test]
-fn a_number_of_cores_that_a_cluster_cannot_mean_is_told_and_passed_over() {
+fn an_impossible_number_of_cores_is_ignored_with_a_warning() {
     let place = Workplace::with_small(SMALL);
     for (name, value) in [
         ("SLURM_CPUS_PER_TASK", "many"),
@@ -59,7 +59,7 @@ fn a_number_of_cores_that_a_cluster_cannot_mean_is_told_and_passed_over() {
 }
 
 #[test]
-fn an_amount_of_memory_that_a_cluster_cannot_mean_is_told_and_passed_over() {
+fn an_impossible_amount_of_memory_is_ignored_with_a_warning() {
     let place = Workplace::with_small(SMALL);
     let errors = |value: &str, more: &[&str]| {
         let arguments = [&["run", "small.toml", "--dry-run"], more].concat();
@@ -79,7 +79,7 @@ fn an_amount_of_memory_that_a_cluster_cannot_mean_is_told_and_passed_over() {
     assert_eq!(errors("0", &[]) + &errors("8G", &["--memory", "1G"]), "");
 }
 
-/// What the parser of the command line finds; it adds a hint of its own.
+/// What the parser of the command line finds; it adds its own hint.
 #[test]
 fn an_argument_that_cannot_be_read_is_named() {
     let place = Workplace::with_small(SMALL);
@@ -118,7 +118,7 @@ fn an_argument_that_cannot_be_read_is_named() {
 
 /// The machine's fault, not the file's. Permissions would not stop root.
 #[test]
-fn a_folder_that_cannot_be_made_is_an_error_of_its_own() {
+fn a_folder_that_cannot_be_made_is_a_separate_error() {
     let place = Workplace::with_small(SMALL);
     for command in ["run", "simulate", "inspect"] {
         let answer = fails(
