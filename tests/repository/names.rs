@@ -107,7 +107,7 @@ const BEHAVIOUR: [&str; 21] = [
     "what_cannot_be_stepped_is_an_error",
     "what_is_wrong_is_refused_with_its_place",
     "what_is_wrong_is_reported_by_its_key",
-    "what_never_decays_is_refused_at_once_where_it_is_looked_at_for_too_long",
+    "what_never_decays_is_refused_at_once_where_it_is_simulated_for_too_long",
     "what_no_axial_force_can_be_is_refused",
     "what_no_drive_can_be_is_refused",
     "what_was_found_is_reported_for_the_whole_sweep",

@@ -332,10 +332,10 @@ impl Drillstring {
     /// of the string it is that of the end.
     pub fn parts_around(&self, distance_from_bit: f64) -> [(usize, usize); 2] {
         let same_place = self.same_place();
-        [-same_place, same_place].map(|beside| self.part_at(distance_from_bit + beside))
+        [-same_place, same_place].map(|offset| self.part_at(distance_from_bit + offset))
     }
 
-    /// The tube at a distance from the bit (m), which is none of its ends.
+    /// The tube at a distance from the bit (m), which is not one of its ends.
     fn part_at(&self, distance_from_bit: f64) -> (usize, usize) {
         let mut left = distance_from_bit.max(0.0);
         for (index, section) in self.sections.iter().enumerate().rev() {
@@ -413,7 +413,7 @@ pub struct Bending {
 }
 
 impl Bending {
-    /// With a tension (N) that acts besides.
+    /// With an additional tension (N).
     pub(crate) fn under(self, tension: f64) -> Self {
         Self {
             compression: self.compression - tension,

@@ -25,7 +25,7 @@ impl Method {
     /// The part of a step that is still to go when its loads and its motion are taken: 0
     /// where they are sampled, step k at k/f_s; ½ where loads are held over the step and
     /// motion is the mean over it, step k from k/f_s to (k + 1)/f_s.
-    pub fn moment(&self) -> f64 {
+    pub fn collocation_offset(&self) -> f64 {
         match self {
             Method::Held => 0.5,
             _ => 0.0,

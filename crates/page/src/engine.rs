@@ -26,7 +26,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// That there is none, and why.
+    /// An answer that gives only the reason of an error.
     pub fn error(reason: &str) -> Self {
         Self {
             words: json!({ "error": reason }).to_string(),

@@ -10,7 +10,7 @@ use campaign::sweep_file::{FileContent, MethodName};
 
 use crate::request::Opening;
 
-/// Reads it, with the methods that are asked for besides its own.
+/// Reads it, with the methods that are asked for in addition to its own.
 ///
 /// # Errors
 /// Where it does not make sense, or a file that it names is not among the texts.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use linear::well::{PressedBy, SideForce, WindingUp, least_pieces};
+use linear::well::{PressedBy, QuasiStaticTwist, SideForce, least_pieces};
 use linear::{Drillstring, Mud, Sites};
 use sim::PipeFriction;
 
@@ -90,7 +90,7 @@ impl StringFriction {
     }
 
     /// By how much the torque at the surface is off for that, in parts of that at which the string
-    /// breaks loose ([`WindingUp::off_by`]).
+    /// breaks loose ([`QuasiStaticTwist::off_by`]).
     pub fn off_by(&self) -> f64 {
         self.off_by
     }
@@ -129,7 +129,7 @@ pub fn resolve(
             let key = "string_friction.tolerance";
             source.within(key, tolerance, 1e-4, 0.1, "")?;
             let windings = weights.iter().map(|weight| force.wound_up(*weight));
-            let windings: Vec<WindingUp> = windings.collect();
+            let windings: Vec<QuasiStaticTwist> = windings.collect();
             let pieces = least_pieces(&windings, tolerance, MOST_PIECES);
             (key, source.checked(key, pieces)?)
         }

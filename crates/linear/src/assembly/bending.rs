@@ -101,7 +101,7 @@ fn alone<T: Number>(stiffness: Block<T>) -> BeamStiffness<T> {
     }
 }
 
-/// Displacement at each of so many sites (row) per unit force at each (column), m/N: D⁽ᵇ⁾
+/// Displacement at each of a number of sites (row) per unit force at each (column), m/N: D⁽ᵇ⁾
 /// of Eq. 57. From the surface down, each piece ends at a node, of which the first `sites`
 /// are sites; `None` where there is nothing.
 pub fn reduce<T: Number>(

@@ -19,7 +19,7 @@ use crate::top_drive::TopDrive;
 pub type DynamicStiffness<T = Complex64> = Piece<T>;
 
 impl<T: Number> DynamicStiffness<T> {
-    /// So many equal pieces in a row, each as stiff from above as from below, from the
+    /// A number of equal pieces in a row, each as stiff from above as from below, from the
     /// torque on either end of one where both turn alike, and where they turn against one
     /// another. With p and m their roots, a row has the characteristic impedance pm, and a
     /// wave that goes down it is multiplied by (m − p)/(m + p) from node to node. What turns

@@ -106,7 +106,7 @@ impl Responses {
     /// Where these are not the responses of a string.
     pub fn margin_of_differences(&self) -> Result<Option<f64>, BuildError> {
         self.check()?;
-        let velocities = if self.method.moment() > 0.0 {
+        let velocities = if self.method.collocation_offset() > 0.0 {
             self.velocities()
         } else {
             self.bending().map(|bending| each(bending, differences))

@@ -1,5 +1,5 @@
-//! A string as it is, whatever its lengths were divided into: equal neighbours are one tube,
-//! and what repeats is one section.
+//! A string independent of how its lengths were divided: equal neighbours become one tube, and
+//! repetitions one section.
 
 use crate::drillstring::{Drillstring, Section, Tube};
 use crate::error::DrillstringError;

@@ -19,7 +19,7 @@ use crate::drillstring::{Bending, Tube};
 /// halved until it is.
 const SHORT: f64 = 1.0;
 
-/// The series has converged to rounding after so many powers of the length.
+/// The series has converged to rounding after this number of powers of the length.
 const POWERS: usize = 26;
 
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s), of a mass per
@@ -67,8 +67,8 @@ pub fn endless<T: Number>(bending: &Bending, tube: &Tube, mass: f64, s: T) -> Op
     })
 }
 
-/// That of the part of a tube that is left after halving it so many times, until its waves
-/// turn by no more than [`SHORT`].
+/// That of the part of a tube that is left after halving it repeatedly, until its waves turn by no
+/// more than [`SHORT`].
 pub fn short_part<T: Number>(bending: &Bending, tube: &Tube, mass: f64, s: T) -> (Beam<T>, u32) {
     let rigidity = bending.youngs_modulus * tube.second_moment();
     // E I x⁗ + C x″ + q x = 0 (Eq. 20).
@@ -91,7 +91,7 @@ pub fn short_part<T: Number>(bending: &Bending, tube: &Tube, mass: f64, s: T) ->
 }
 
 /// What a solution of x⁗ + p x″ + Q x = 0 on (0, 1) with x^(j)(0)/j! = 1, and the other
-/// derivatives up to the third zero at 0, has beside the rigid motion of its start.
+/// derivatives up to the third zero at 0, has in addition to the rigid motion of its start.
 struct Bent<T> {
     /// x, x′, x″, x‴ at 1.
     ends: [T; 4],

@@ -81,7 +81,7 @@ proptest! {
     /// The last tap that a case can use is a whole one, whether the response ends with the case
     /// or has decayed by then.
     #[test]
-    fn val_no_tap_of_the_longest_case_hangs_on_how_long_it_is(
+    fn val_no_tap_of_the_longest_case_depends_on_its_length(
         pipe in 500.0..5000.0f64,
         longest_time in 0.5..20.0f64,
         sampling_frequency in 50.0..700.0f64,
@@ -196,7 +196,7 @@ fn val_pieces_ring_no_longer_than_planned() {
 }
 
 #[test]
-fn what_never_decays_is_refused_at_once_where_it_is_looked_at_for_too_long() {
+fn what_never_decays_is_refused_at_once_where_it_is_simulated_for_too_long() {
     let string = string(1000.0, 100.0, 0.0);
     let request = request(&string, 1e7, 640.0);
     for method in methods() {

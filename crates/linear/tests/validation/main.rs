@@ -8,7 +8,7 @@ mod falling_torque;
 mod held;
 mod lengths;
 mod natural_frequencies;
+mod quasi_static_twist;
 mod sampling;
 mod side_force;
 mod top_drive;
-mod winding_up;

@@ -29,7 +29,7 @@ pub(super) enum Shape {
     Gaussian,
 }
 
-/// Friction over the speed of sliding, in whatever unit.
+/// Friction over the speed of sliding, in any unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FrictionCurve {
     /// F_s.

@@ -15,10 +15,10 @@ use super::MOST_FRICTION;
 use super::contacts::{Contacts, Rate, State};
 use super::many_sites::WhirlingSites;
 
-/// Up to so many sites all sets are tried; of more, neighbours, …
+/// Up to this number of sites all sets are tried; of more, neighbours, …
 const ALL_SETS: usize = 5;
 
-/// … of up to so many.
+/// … of up to this number.
 const NEIGHBOURS: usize = 3;
 
 /// Rates that are tried, evenly spaced up to the fastest.

@@ -1,5 +1,5 @@
-//! Validation of what builders ask a budget for, against what an allocator counts: a program of its
-//! own, for the allocator counts all threads.
+//! Validation of what builders ask a budget for, against what an allocator counts: a separate
+//! program, for the allocator counts all threads.
 
 use linear::budget::{Budget, Need};
 use linear::method::{FiniteElement, Transform};
@@ -12,7 +12,7 @@ use sim::{Simulator, SimulatorPlan};
 #[global_allocator]
 static ALLOCATOR: PeakAlloc = PeakAlloc;
 
-/// Work that takes less than this, bytes, is not looked at: plans of transforms that a thread keeps
+/// Work that takes less than this, bytes, is not compared: plans of transforms that a thread keeps
 /// for the next, a few megabytes, count for the work that made them.
 const LEAST: f64 = 8.0 * 1024.0 * 1024.0;
 
@@ -23,7 +23,7 @@ const ASKED: std::ops::Range<f64> = 0.95..2.0;
 /// The same of all work together.
 const ASKED_IN_ALL: std::ops::Range<f64> = 1.0..1.4;
 
-/// Bytes asked for and taken by all work that is looked at.
+/// Bytes asked for and taken by all work that is compared.
 #[derive(Default)]
 struct Sums {
     asked: f64,

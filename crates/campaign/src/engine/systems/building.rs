@@ -288,7 +288,10 @@ fn reaches(setting: &Setting, responses: &Responses) -> Vec<f64> {
     let Some((lateral, bending)) = setting.lateral.as_ref().zip(responses.bending()) else {
         return Vec::new();
     };
-    let sampling = Sampling::new(setting.sampling_frequency, responses.method.moment());
+    let sampling = Sampling::new(
+        setting.sampling_frequency,
+        responses.method.collocation_offset(),
+    );
     let of = |impulse: &ImpulseSettings| {
         let taps = bending.taps_between(impulse.site, impulse.site);
         reach_of_impulse(taps.unwrap_or_default(), sampling, impulse.duration)
