@@ -14,7 +14,7 @@
 //! "Wave digital filters: theory and practice", *Proceedings of the IEEE* 74, 1986, 270–327.)
 
 use crate::assembly::lanes::Lanes;
-use crate::assembly::nodes::{Link as _, Relation};
+use crate::assembly::nodes::{Relation, StiffnessBetween as _};
 use crate::assembly::number::Number;
 use crate::assembly::scattering::{Scattered, Uppermost, reflection, uppermost};
 use crate::assembly::torsion::{Drive, DynamicStiffness};

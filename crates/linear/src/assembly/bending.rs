@@ -6,7 +6,7 @@ use super::beam_stiffness::BeamStiffness;
 use super::block::Block;
 use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
-use super::nodes::{Link, Nodes, Relation};
+use super::nodes::{Nodes, Relation, StiffnessBetween};
 use super::number::Number;
 use super::stiff_beam::StiffBeam;
 use crate::drillstring::SurfaceSupport;
@@ -69,7 +69,7 @@ impl<T: Number> Stiffness for Beam<T> {
     }
 }
 
-impl<T: Number> Link<Block<T>> for Beam<T> {
+impl<T: Number> StiffnessBetween<Block<T>> for Beam<T> {
     fn below(&self, above: Block<T>) -> Block<T> {
         match self {
             Beam::Short(beam) => beam.below(alone(above)).bottom,

@@ -10,7 +10,7 @@ use num_complex::Complex64;
 
 use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
-use super::nodes::{Link, Nodes, Piece};
+use super::nodes::{Nodes, Piece, StiffnessBetween};
 use super::number::Number;
 use crate::top_drive::TopDrive;
 

@@ -30,7 +30,7 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use about::about_line;
-use content::Counts;
+use content::LogCounts;
 use error::file_error;
 
 use crate::files::{refuse_irregular, write_atomically};
@@ -97,7 +97,7 @@ impl Log {
     }
 
     /// How much it holds by now.
-    pub fn counts(&self) -> Counts {
+    pub fn counts(&self) -> LogCounts {
         self.state().content.counts
     }
 

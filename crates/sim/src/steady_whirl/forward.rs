@@ -54,7 +54,7 @@ pub struct EccentricString<H> {
 
 /// The lowest speed at which forward whirl touches a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Touch {
+pub struct LowestTouch {
     /// Surface speed, rad/s.
     pub surface_speed: f64,
     /// The site that comes nearest there to its wall.
@@ -89,7 +89,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
     ///
     /// # Errors
     /// Where the lower speed is not positive, or the string is not damped enough to tell.
-    pub fn first_touch(&self, surface_speeds: [f64; 2]) -> Result<Option<Touch>, SceneError> {
+    pub fn first_touch(&self, surface_speeds: [f64; 2]) -> Result<Option<LowestTouch>, SceneError> {
         let [slowest, fastest] = surface_speeds;
         positive("surface speed in rad/s", slowest)?;
         if self.decay_rate <= LEAST_DECAY * fastest {
@@ -175,15 +175,15 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
         greatest.unwrap_or((mass, scale * most(mass)))
     }
 
-    fn touch(&self, here: &Sample) -> Touch {
-        Touch {
+    fn touch(&self, here: &Sample) -> LowestTouch {
+        LowestTouch {
             surface_speed: here.rate,
             site: self.reach(here, 0.0, here.rate).0,
         }
     }
 
     /// The first touch from the lower of two speeds on, up to the higher one.
-    fn between(&self, [low, high]: [&Sample; 2]) -> Option<Touch> {
+    fn between(&self, [low, high]: [&Sample; 2]) -> Option<LowestTouch> {
         let variation = Variation {
             decay_rate: self.decay_rate,
         };

@@ -38,10 +38,10 @@ mod variation;
 use crate::laws::wall::Wall;
 use balance::Balance;
 pub use branches::MOST_FRICTION;
-pub use forward::{EccentricString, ForwardWhirl, Touch};
+pub use forward::{EccentricString, ForwardWhirl, LowestTouch};
 pub use forward_contacts::ForwardContacts;
 pub use many_sites::{SitesWhirl, WhirlingSites};
-pub use together::{Contact, WhirlTogether};
+pub use together::{WhirlContact, WhirlTogether};
 use variation::{Sample, Variation};
 
 /// Whirl is looked for up to a radius of this number of clearances.

@@ -35,12 +35,12 @@ pub struct WhirlTogether {
     /// The coefficient of friction at the speeds at which they slide.
     pub friction: f64,
     /// The sites that touch.
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<WhirlContact>,
 }
 
 /// A site that touches in steady backward whirl.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
+pub struct WhirlContact {
     /// The site.
     pub site: usize,
     /// Radius of the centre, m.
@@ -114,7 +114,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> WhirlingSites<H> {
                 None => distance *= 0.5,
             }
         }
-        let contact = |(index, site): (usize, &usize)| Contact {
+        let contact = |(index, site): (usize, &usize)| WhirlContact {
             site: *site,
             radius: best.touching[index].radius,
             phase: best.phases[index],

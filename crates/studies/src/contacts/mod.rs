@@ -17,7 +17,7 @@ pub use bounds::Bounds;
 pub use impulse::LateralImpulse;
 pub use places::Range;
 pub use search::{HALVINGS, Least, SCANNED};
-pub use subject::{Subject, SubjectError};
+pub use subject::{StudiedString, StudiedStringError};
 pub use touching::Whirl;
 
 use anyhow::Result;
@@ -29,7 +29,7 @@ use touching::Touching;
 
 /// The result for a number of contacts, an impulse and a method.
 #[derive(Debug)]
-pub struct Row {
+pub struct LimitRow {
     /// Name of the string.
     pub string: String,
     /// The method.
@@ -51,7 +51,7 @@ pub struct Row {
 }
 
 /// Simulations that a string takes at most.
-pub fn simulations(subject: &Subject) -> usize {
+pub fn simulations(subject: &StudiedString) -> usize {
     let impulses = subject.struck_at.len() * subject.ratios.len() + subject.per_metre.len();
     let limits = subject.counts.len() * subject.sweep.methods.len() * impulses;
     limits * (SCANNED + HALVINGS)
@@ -61,7 +61,7 @@ pub fn simulations(subject: &Subject) -> usize {
 ///
 /// # Errors
 /// Where a method cannot treat it.
-pub fn study(subject: &Subject, tick: &(dyn Fn() + Sync)) -> Result<Vec<Row>> {
+pub fn study(subject: &StudiedString, tick: &(dyn Fn() + Sync)) -> Result<Vec<LimitRow>> {
     let (hit_places, impulses) = (subject.hit_places(), subject.impulses()?);
     let mut rows = Vec::new();
     for &count in &subject.counts {
@@ -75,7 +75,7 @@ pub fn study(subject: &Subject, tick: &(dyn Fn() + Sync)) -> Result<Vec<Row>> {
                     let lasts = limit.as_ref().ok().and_then(|limit| limit.lasts);
                     let share =
                         lasts.map(|(friction, _)| touching.share_touching(impulse, friction));
-                    rows.push(Row {
+                    rows.push(LimitRow {
                         string: subject.name.clone(),
                         method,
                         sampling_frequency: touching.sampling_frequency(),
@@ -97,7 +97,7 @@ pub fn study(subject: &Subject, tick: &(dyn Fn() + Sync)) -> Result<Vec<Row>> {
 ///
 /// # Errors
 /// Where contacts are not on the string.
-pub fn memory(subject: &Subject, threads: usize) -> Result<f64> {
+pub fn memory(subject: &StudiedString, threads: usize) -> Result<f64> {
     let Some(&most) = subject.counts.iter().max() else {
         return Ok(0.0);
     };

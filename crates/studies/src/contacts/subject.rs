@@ -29,7 +29,7 @@ const USUAL_END: f64 = 200.0;
 
 /// A string of the study, and what is asked of it.
 #[derive(Debug, Clone)]
-pub struct Subject {
+pub struct StudiedString {
     /// Its name.
     pub name: String,
     /// The sweep whose string, wall and surface speed these are, and whose methods step it.
@@ -54,7 +54,7 @@ pub struct Subject {
 
 /// What is not asked of a string.
 #[derive(Debug, Error)]
-pub enum SubjectError {
+pub enum StudiedStringError {
     /// The range is not on the string.
     #[error("from {from} m to {to} m from the bit: the string has the places from 0 to {length} m")]
     OffString {
@@ -107,7 +107,7 @@ pub enum SubjectError {
     },
 }
 
-impl Subject {
+impl StudiedString {
     /// Where the range of contacts ends by default (m from the bit), on a sweep's string
     /// with these values.
     ///
@@ -135,27 +135,27 @@ impl Subject {
         let values = self.values.iter().copied();
         let length = self.sweep.setting_with(values)?.string.length();
         if !(0.0 <= from && from < to && to <= length) {
-            return Err(SubjectError::OffString { from, to, length }.into());
+            return Err(StudiedStringError::OffString { from, to, length }.into());
         }
         for &count in &self.counts {
             let most = MOST_CONTACTS;
             if !(1..=most).contains(&count) {
-                return Err(SubjectError::Count { count, most }.into());
+                return Err(StudiedStringError::Count { count, most }.into());
             }
             let length = self.range.length();
             if length / (count as f64) < LEAST_SPACING {
-                return Err(SubjectError::TooNear { count, length }.into());
+                return Err(StudiedStringError::TooNear { count, length }.into());
             }
         }
         for &at in &self.struck_at {
             if !(0.0..length).contains(&at) {
-                return Err(SubjectError::ImpulseOffString { at, length }.into());
+                return Err(StudiedStringError::ImpulseOffString { at, length }.into());
             }
         }
         let setting = self.touching_at(&[from])?;
         let frequency = setting.sampling_frequency;
         if !frequency.is_finite() || frequency * IMPULSE_DURATION < 2.0 {
-            return Err(SubjectError::Sampling { frequency }.into());
+            return Err(StudiedStringError::Sampling { frequency }.into());
         }
         self.lateral(&setting)?;
         self.duration(&setting)?;
@@ -205,7 +205,7 @@ impl Subject {
         if time.is_finite() && time >= start + window {
             return Ok(time);
         }
-        let reason = SubjectError::Time {
+        let reason = StudiedStringError::Time {
             time,
             start,
             window,
@@ -277,7 +277,7 @@ impl Subject {
     /// upper bound.
     ///
     /// # Errors
-    /// As [`Subject::touching_at`].
+    /// As [`StudiedString::touching_at`].
     pub fn memory(&self, places: &[f64], method: Method, threads: usize) -> Result<f64> {
         let setting = self.touching_at(places)?;
         let time = self.duration(&setting)?;

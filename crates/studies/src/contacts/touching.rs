@@ -10,7 +10,7 @@ use sim::{LateralRegime, SimulationError, Stopping, Trajectory};
 use super::impulse::LateralImpulse;
 use super::places::{index_of, with_others};
 use super::search::{Least, scan};
-use super::subject::{Subject, impulse_settings, impulse_start};
+use super::subject::{StudiedString, impulse_settings, impulse_start};
 use campaign::engine::{Case, MethodSystem};
 
 /// Clearance of a place that is hit but is no contact, m: no string comes so far.
@@ -34,7 +34,7 @@ pub struct Whirl {
 
 /// A string of the study with its contacts, ready to be hit.
 pub struct Touching<'a> {
-    subject: &'a Subject,
+    subject: &'a StudiedString,
     system: MethodSystem,
     /// Of each site from the surface down, whether it is a contact.
     is_contact: Vec<bool>,
@@ -46,7 +46,12 @@ impl<'a> Touching<'a> {
     ///
     /// # Errors
     /// Where the method cannot treat it.
-    pub fn build(subject: &'a Subject, count: usize, hit: &[f64], method: Method) -> Result<Self> {
+    pub fn build(
+        subject: &'a StudiedString,
+        count: usize,
+        hit: &[f64],
+        method: Method,
+    ) -> Result<Self> {
         let contacts = subject.range.even(count);
         let setting = subject.touching_at(&with_others(&contacts, hit))?;
         let distances = setting.sites.distances_from_bit().iter();

@@ -28,7 +28,7 @@ mod words;
 
 pub use cells::Cells;
 pub use extent::Extent;
-pub use picture::{Drawing, drawing};
+pub use picture::{MapDrawing, drawing};
 pub use probability::{Probabilities, probability_picture};
 pub use symbol::symbol_of;
 pub use window::{WindowView, window_picture};

@@ -20,7 +20,7 @@ use results::folder::{Manifest, ResultTables};
 use results::traced::TracedLimits;
 
 /// What is drawn of a results folder, and which cases each of its maps has.
-pub struct Drawing {
+pub struct MapDrawing {
     /// The maps: those of each motion, then others.
     pub chart: MapChart,
     /// What the horizontal and the vertical axis are.
@@ -37,7 +37,7 @@ pub struct Drawing {
 ///
 /// # Errors
 /// Where a file cannot be read.
-pub fn drawing(tables: &ResultTables) -> Result<Option<Drawing>> {
+pub fn drawing(tables: &ResultTables) -> Result<Option<MapDrawing>> {
     let manifest = &tables.manifest;
     let Some(settings) = &manifest.map else {
         return Ok(None);
@@ -79,7 +79,7 @@ pub fn drawing(tables: &ResultTables) -> Result<Option<Drawing>> {
     };
     show_in(&mut chart, axes.map(|axis| axis.unit(units)));
     let extent = map.extent;
-    Ok(Some(Drawing {
+    Ok(Some(MapDrawing {
         chart,
         axes,
         combinations: (extent.combinations())

@@ -3,7 +3,7 @@
 use sim::{Label, Motion};
 
 use super::analysed::analysed_sections;
-use super::comparison::{Compared, Unlike};
+use super::comparison::{FolderComparison, Unlike};
 use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, table_of};
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
@@ -13,7 +13,7 @@ use results::folder::Manifest;
 
 /// Everything there is to say of one folder, or of several side by side;
 /// `comparisons` are those of the first with each of the others.
-pub fn sections(all: &[Results], comparisons: &[Result<Compared, Unlike>]) -> Vec<Section> {
+pub fn sections(all: &[Results], comparisons: &[Result<FolderComparison, Unlike>]) -> Vec<Section> {
     let sections = [
         ("What was run", overview(all)),
         ("Regime map", maps(all)),
@@ -371,7 +371,7 @@ fn failures(all: &[Results]) -> Vec<Block> {
     all.iter().map(of_folder).collect()
 }
 
-fn between(all: &[Results], comparisons: &[Result<Compared, Unlike>]) -> Vec<Block> {
+fn between(all: &[Results], comparisons: &[Result<FolderComparison, Unlike>]) -> Vec<Block> {
     let mut blocks = Vec::new();
     let Some((first, others)) = all.split_first() else {
         return blocks;

@@ -13,10 +13,10 @@ use limits::rolling_bound;
 use results::folder::LabelRow;
 
 /// Rows by the reference's numbers of cases and by method.
-pub type Found = BTreeMap<(usize, &'static str), Record>;
+pub type FoundRecords = BTreeMap<(usize, &'static str), Record>;
 
 /// A label of the reference and the one that was found.
-pub struct Compared {
+pub struct ComparedLabel {
     /// Line of the reference.
     pub line: usize,
     /// Number of its case.
@@ -36,8 +36,8 @@ pub fn compare(
     sweep: &Sweep,
     systems: &[MethodSystem],
     reference: &[LabelRow],
-    found: &Found,
-) -> Vec<Compared> {
+    found: &FoundRecords,
+) -> Vec<ComparedLabel> {
     let mut compared = Vec::new();
     for expected in reference {
         let Some(record) = found.get(&(expected.case, expected.method.as_str())) else {
@@ -50,7 +50,7 @@ pub fn compare(
             let differs = label != expected_label.name();
             let difference =
                 || difference(sweep, systems, expected, expected_label, record, &label);
-            compared.push(Compared {
+            compared.push(ComparedLabel {
                 line: expected.line,
                 case: expected.case,
                 method: expected.method.clone(),

@@ -21,7 +21,7 @@ use super::warnings::warn_of_memory;
 use crate::cli::{CheckArguments, CheckFormat};
 use campaign::plan::Sweep;
 use campaign::records::Record;
-use comparison::{Found, compare};
+use comparison::{FoundRecords, compare};
 use junit::junit_of_error;
 use reference::{cases_of, read_reference};
 use report::{CheckReport, annotation};
@@ -108,7 +108,7 @@ fn compare_labels(arguments: &CheckArguments, terminal: Terminal) -> Result<Stat
 }
 
 /// The rows of all cases, by the reference's numbers and by method.
-fn run_all(listed: &Listed, numbers: &[usize], terminal: Terminal) -> Result<Found> {
+fn run_all(listed: &Listed, numbers: &[usize], terminal: Terminal) -> Result<FoundRecords> {
     let found = Mutex::new(BTreeMap::new());
     let keep = |record: Record| {
         if let Ok(mut found) = found.lock() {

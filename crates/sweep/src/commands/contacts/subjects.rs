@@ -12,7 +12,7 @@ use crate::commands::warnings::{warn_of_memory, warn_of_sweep};
 use campaign::engine::why_idle;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
-use studies::contacts::{Range, Subject, SubjectError};
+use studies::contacts::{Range, StudiedString, StudiedStringError};
 use studies::scenes::shipped_by;
 
 /// The strings of the study without a file, by their names.
@@ -22,7 +22,7 @@ const SHIPPED: [(&str, &str); 2] = [("paper", "contacts.toml"), ("field", "conta
 ///
 /// # Errors
 /// Where the file makes no sense, or what is asked cannot be asked of its string.
-pub fn subjects(arguments: &ContactsArguments, terminal: Terminal) -> Result<Vec<Subject>> {
+pub fn subjects(arguments: &ContactsArguments, terminal: Terminal) -> Result<Vec<StudiedString>> {
     let (work, quiet) = (&arguments.work, arguments.quiet);
     if let Some(file) = &arguments.file {
         let sweep = read_sweep(file, work, false, quiet, terminal)?;
@@ -44,7 +44,7 @@ fn subject(
     sweep: Sweep,
     file: Option<&Path>,
     arguments: &ContactsArguments,
-) -> Result<Subject> {
+) -> Result<StudiedString> {
     for &(axis, value) in &arguments.set {
         let refusal = match axis {
             Axis::WallAtSite { .. } => Some("the study chooses its own sites".to_owned()),
@@ -58,8 +58,8 @@ fn subject(
         }
     }
     let set = arguments.set.iter().copied();
-    let values: Vec<(Axis, f64)> = Subject::first_values(&sweep).chain(set).collect();
-    let to = (arguments.to_m).map_or_else(|| Subject::usual_end(&sweep, &values), Ok)?;
+    let values: Vec<(Axis, f64)> = StudiedString::first_values(&sweep).chain(set).collect();
+    let to = (arguments.to_m).map_or_else(|| StudiedString::usual_end(&sweep, &values), Ok)?;
     let range = Range {
         from: arguments.from_m,
         to,
@@ -73,7 +73,7 @@ fn subject(
             .collect()
     };
     let struck_at: Vec<f64> = arguments.impulse_at.clone().unwrap_or_else(usual);
-    let subject = Subject {
+    let subject = StudiedString {
         name,
         values,
         sweep,
@@ -87,7 +87,7 @@ fn subject(
     };
     subject.check().map_err(|error| {
         let place = file.map_or_else(String::new, |file| format!("{}: ", file.display()));
-        match error.downcast_ref::<SubjectError>() {
+        match error.downcast_ref::<StudiedStringError>() {
             Some(reason) => UsageError(format!("{place}{reason}")).into(),
             None => error,
         }

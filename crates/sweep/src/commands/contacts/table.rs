@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use campaign::words::short;
-use studies::contacts::{LateralImpulse, Row};
+use studies::contacts::{LateralImpulse, LimitRow};
 
 /// The columns of the table: their names, and what a row has there.
-pub fn columns(row: &Row) -> [(&'static str, String); 22] {
+pub fn columns(row: &LimitRow) -> [(&'static str, String); 22] {
     let limit = row.limit.as_ref().ok();
     let lasts = limit.and_then(|limit| limit.lasts);
     let whirl = lasts.map(|(_, whirl)| whirl);
@@ -81,7 +81,7 @@ pub fn impulse_name(impulse: &LateralImpulse, lowest: f64) -> String {
 }
 
 /// The limits, a line for each string, method and impulse and a column for each number of contacts.
-pub fn summary(rows: &[Row], lowest: f64) -> String {
+pub fn summary(rows: &[LimitRow], lowest: f64) -> String {
     let mut text = String::new();
     let mut lines: Vec<(String, Vec<String>)> = Vec::new();
     let mut counts: Vec<usize> = rows.iter().map(|row| row.contacts).collect();

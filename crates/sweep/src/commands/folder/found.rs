@@ -18,7 +18,7 @@ use results::log::{Header, LogError, Place};
 const MOST_DIFFERENCES: usize = 8;
 
 /// What is in a folder.
-pub enum Found {
+pub enum FolderState {
     /// Nothing that is in the way of a run, or only what it replaces.
     Nothing(OwnedFiles),
     /// A stopped run of the same sweep.
@@ -38,7 +38,7 @@ pub enum Found {
 /// Where it holds the results, or a part of them, of another sweep, shard or
 /// program; where its results are damaged; where it holds files of others that the
 /// run would replace.
-pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Result<Found> {
+pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Result<FolderState> {
     let owned = OwnedFiles::find(folder, header)?;
     if !fresh {
         let log = folder.join(LOG);
@@ -46,7 +46,7 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
             Place::Log(there) => {
                 let what = format!("{} holds a stopped run of", folder.display());
                 refuse_other(&what, &with_our_number(&what, there, header)?, header)?;
-                return Ok(Found::Unfinished {
+                return Ok(FolderState::Unfinished {
                     had_fewer: there.fingerprint != header.fingerprint,
                 });
             }
@@ -68,10 +68,10 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
     let with_map = header.shard.is_whole() && sweep.map.is_some();
     let is_trace = matches!(sweep.design, Design::Trace(_));
     owned.refuse_foreign(folder, with_map, is_trace)?;
-    Ok(Found::Nothing(owned))
+    Ok(FolderState::Nothing(owned))
 }
 
-fn complete(folder: &Path, header: &Header) -> Result<Found> {
+fn complete(folder: &Path, header: &Header) -> Result<FolderState> {
     let manifest = Manifest::read(folder)?;
     let there = header_of(&manifest)?;
     let what = format!("{} holds the results of", folder.display());
@@ -79,9 +79,9 @@ fn complete(folder: &Path, header: &Header) -> Result<Found> {
     refuse_lost(&manifest, folder)?;
     let manifest = Box::new(manifest);
     Ok(if there.fingerprint == header.fingerprint {
-        Found::Complete(manifest)
+        FolderState::Complete(manifest)
     } else {
-        Found::Fewer(manifest)
+        FolderState::Fewer(manifest)
     })
 }
 

@@ -11,7 +11,7 @@ mod raise;
 mod tables;
 
 pub use damage::{in_words, tell_if_unverified};
-pub use found::{Found, header_of, look};
+pub use found::{FolderState, header_of, look};
 pub use hold::{hold, tidy};
 pub use names::{LOG, MANIFEST, REPORT};
 pub use owned_files::{OwnedFiles, remove_page};

@@ -7,7 +7,7 @@ use super::systems::build_admitted;
 use super::task::Task;
 use crate::commands::drawing::{Drawing, draw_and_note};
 use crate::commands::folder::{
-    Found, MANIFEST, hold, in_words, remove_page, tell_if_unverified, tidy,
+    FolderState, MANIFEST, hold, in_words, remove_page, tell_if_unverified, tidy,
 };
 use crate::commands::outcome::{status_of, summary};
 use crate::commands::status::{Status, UsageError};
@@ -64,7 +64,7 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
     let folder = &task.folder;
     let _lock = hold(folder, MANIFEST, task.terminal)?;
     // What was found before the folder was locked may be another's work under way.
-    let Found::Complete(mut manifest) = task.look(false)? else {
+    let FolderState::Complete(mut manifest) = task.look(false)? else {
         bail!(
             "{} was changed by another command: give this one again",
             folder.display()

@@ -6,7 +6,7 @@ use super::cheaper::cheaper;
 use super::complete::damage;
 use super::task::Task;
 use crate::commands::cost::{cost_lines, probe};
-use crate::commands::folder::{Found, LOG, in_words};
+use crate::commands::folder::{FolderState, LOG, in_words};
 use campaign::design::{Design, TraceDesign};
 use campaign::engine::{finer_frequency, pairs_of};
 use campaign::memory::{Purpose, admit};
@@ -18,7 +18,7 @@ use results::log::LogView;
 ///
 /// # Errors
 /// Where it would take too much memory.
-pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<String> {
+pub fn describe(task: &Task, found: &FolderState, stops: &dyn Fn() -> bool) -> Result<String> {
     let sweep = &task.sweep;
     let is_trace = matches!(sweep.design, Design::Trace(_));
     let total = if is_trace {
@@ -27,17 +27,17 @@ pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<
         pairs_of(sweep, task.header.shard)
     };
     let (done, why) = match found {
-        Found::Complete(manifest) => (total.max(manifest.tally.rows), "complete already"),
-        Found::Unfinished { .. } => {
+        FolderState::Complete(manifest) => (total.max(manifest.tally.rows), "complete already"),
+        FolderState::Unfinished { .. } => {
             let (cases, methods) = (sweep.design.cases(), sweep.methods.len());
             let log = LogView::open(&task.folder.join(LOG), cases, methods)?;
             (log.counts.done, "a stopped run continues")
         }
-        Found::Fewer(manifest) => {
+        FolderState::Fewer(manifest) => {
             let why = "the sweep has more cases than are there";
             (manifest.tally.rows, why)
         }
-        Found::Nothing(_) => (0, "from the beginning"),
+        FolderState::Nothing(_) => (0, "from the beginning"),
     };
     let left = total - done.min(total);
     let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
@@ -45,7 +45,7 @@ pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<
     let all = counted(total, "simulation");
     let about = if is_trace && left > 0 { "perhaps " } else { "" };
     text += &format!("{about}{left} of {all} left: {why}\n");
-    if let Found::Complete(manifest) = found {
+    if let FolderState::Complete(manifest) = found {
         let damage = damage(task, manifest)?;
         if !damage.is_empty() {
             text += &format!("would be made again: {}\n", in_words(&damage));

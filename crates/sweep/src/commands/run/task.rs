@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 
 use crate::cli::RunArguments;
-use crate::commands::folder::{Found, LOG, log_of_results, look, raise_log, results_folder};
+use crate::commands::folder::{FolderState, LOG, log_of_results, look, raise_log, results_folder};
 use crate::commands::prepare::{read_sweep, survey_cases};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
@@ -85,7 +85,7 @@ impl<'a> Task<'a> {
     ///
     /// # Errors
     /// As [`look`].
-    pub fn look(&self, fresh: bool) -> Result<Found> {
+    pub fn look(&self, fresh: bool) -> Result<FolderState> {
         look(&self.folder, &self.header, &self.sweep, fresh)
     }
 
@@ -98,16 +98,16 @@ impl<'a> Task<'a> {
         let (folder, header, sweep) = (&self.folder, &self.header, &self.sweep);
         let log = folder.join(LOG);
         match self.look(self.arguments.fresh)? {
-            Found::Nothing(ours) => {
+            FolderState::Nothing(owned) => {
                 Log::begin(&log, header)?;
-                ours.remove_results(folder)?;
+                owned.remove_results(folder)?;
             }
-            Found::Unfinished { had_fewer: false } => {}
-            Found::Unfinished { had_fewer: true } => {
+            FolderState::Unfinished { had_fewer: false } => {}
+            FolderState::Unfinished { had_fewer: true } => {
                 raise_log(&log, header, sweep, self.terminal)?;
             }
-            Found::Fewer(manifest) => log_of_results(folder, &manifest, header)?,
-            Found::Complete(manifest) => return Ok(Some(manifest)),
+            FolderState::Fewer(manifest) => log_of_results(folder, &manifest, header)?,
+            FolderState::Complete(manifest) => return Ok(Some(manifest)),
         }
         Ok(None)
     }

@@ -9,7 +9,7 @@ use csv::StringRecord;
 use serde_json::{Value, json};
 
 use super::opening::opening;
-use crate::map::Drawing;
+use crate::map::MapDrawing;
 use campaign::quantities::{Axis, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
 use campaign::words::shell_word;
@@ -26,7 +26,7 @@ const DIGITS: [Option<usize>; 3] = [None, Some(4), Some(3)];
 ///
 /// # Errors
 /// Where a table cannot be read.
-pub fn data(tables: &ResultTables, drawing: &Drawing, room: usize) -> Result<Option<Value>> {
+pub fn data(tables: &ResultTables, drawing: &MapDrawing, room: usize) -> Result<Option<Value>> {
     let manifest = &tables.manifest;
     if manifest.tally.rows > MOST_ROWS {
         return Ok(None);
@@ -90,7 +90,7 @@ pub fn shown(unit: &Unit) -> Value {
 
 /// Of each map, in the order of the page, what its cases have along other axes and the motion
 /// that it is of; a map of all cases has neither.
-fn panels(drawing: &Drawing, place: impl Fn(Axis) -> Option<usize>) -> Value {
+fn panels(drawing: &MapDrawing, place: impl Fn(Axis) -> Option<usize>) -> Value {
     let groups = drawing.chart.groups.iter().enumerate();
     let panels = groups.flat_map(|(index, group)| {
         let motion = drawing.motions.get(index).copied();

@@ -14,7 +14,7 @@ use anyhow::Result;
 use serde_json::Value;
 
 use super::escaping::{escaped, with_index};
-use crate::map::{Drawing, drawing};
+use crate::map::{MapDrawing, drawing};
 use plot::{MapGroup, map_axes};
 use results::folder::ResultTables;
 
@@ -70,7 +70,7 @@ pub fn live_map(tables: &ResultTables, folders: usize) -> Result<Option<LiveMap>
     Ok(Some(LiveMap { html, data }))
 }
 
-fn html(drawing: &Drawing) -> String {
+fn html(drawing: &MapDrawing) -> String {
     let axes = map_axes(&drawing.chart, MOST_TICKS);
     let groups = drawing.chart.groups.iter().map(|group| {
         let panels = group.panels.iter().map(|panel| {
