@@ -19,7 +19,7 @@ export async function browse(patience) {
   );
   let isThere = false;
   const giveUp = (why) => {
-    console.error(isThere ? why : `the page was not looked at: ${why}`);
+    console.error(isThere ? why : `the page was not checked: ${why}`);
     chromium.kill();
     process.exit(isThere ? 1 : 3);
   };

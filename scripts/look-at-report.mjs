@@ -10,7 +10,7 @@
 //     scripts/look-at-report.mjs results/fig09/report.html FOLDER [RESULTS …]
 //
 // Needs Node and Chromium (CHROMIUM, or `chromium` on the path), and no package.
-// Exit codes: 0 no fault, 1 faults, 2 bad usage, 3 the page could not be looked at.
+// Exit codes: 0 no fault, 1 faults, 2 bad usage, 3 3 the page could not be checked.
 import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

@@ -1,5 +1,5 @@
-//! Output on the standard and error streams. Control sequences are removed, whatever files the text
-//! comes from.
+//! Output on the standard and error streams. Control sequences are removed, from any file that the
+//! text comes from.
 
 use std::io::{ErrorKind, Write};
 

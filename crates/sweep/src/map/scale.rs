@@ -18,7 +18,7 @@ const MOST_IN_ONE: f64 = 0.7;
 /// Classes of the values between their ends.
 #[derive(Debug, PartialEq)]
 pub struct Classes {
-    /// In ascending order: of all values, the first is none above and the last none below.
+    /// In ascending order: no value is below the first or above the last.
     ends: Vec<f64>,
 }
 
