@@ -65,7 +65,7 @@ impl Coupling<'_> {
                 Within::All(torsion) if turn >= PLAIN_TURNS => {
                     newton::step(self, torsion, free, &mut solve);
                 }
-                Within::Chain(chain) if turn > 0 => row::correct(self, chain, free, turn),
+                Within::Chain(chain) => row::correct(self, chain, free, turn),
                 _ => {}
             }
             for port in 0..self.pending.len() {
