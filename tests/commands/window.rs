@@ -182,8 +182,8 @@ fn what_was_not_simulated_is_not_known() {
     let arguments = ["window", "small.toml", "results/small/shard-0-of-5"];
     let said = done(&place, &arguments);
     let found = cells(&place, "results/small/shard-0-of-5/window.csv");
-    let untold = found.iter().filter(|cell| cell.standing == "untold");
-    assert!(untold.count() > found.len() / 10, "{said}");
+    let undetermined = found.iter().filter(|cell| cell.standing == "untold");
+    assert!(undetermined.count() > found.len() / 10, "{said}");
     // A list of cases here and there says nothing of what is between.
     place.write(
         "cases.csv",
@@ -422,7 +422,7 @@ fn what_says_nothing_of_limits_over_both_axes_is_refused() {
     refused(
         &place,
         &["window", "small.toml", "--margin", "2"],
-        "is not a part from 0 to 0.5",
+        "is not a fraction from 0 to 0.5",
     );
     refused(
         &place,

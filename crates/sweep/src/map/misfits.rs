@@ -59,8 +59,8 @@ pub fn group(labels: &Path, extent: &Extent) -> Result<Option<MapGroup>> {
         .collect();
     keys.push((CellFill::NoCase, "no case".to_owned()));
     Ok(Some(MapGroup {
-        heading: "Held against what was recorded".to_owned(),
-        scale: Some("Least misfit of a cell, in parts of the least of all".to_owned()),
+        heading: "Compared with the recording".to_owned(),
+        scale: Some("Least misfit of a cell, relative to the least of all".to_owned()),
         keys,
         notes: Vec::new(),
         panels: panels.collect(),

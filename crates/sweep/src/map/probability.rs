@@ -154,7 +154,7 @@ impl Probabilities<'_> {
         MapGroup {
             heading: String::new(),
             scale: Some(format!(
-                "Part of the cases of a cell: {regime} ({})",
+                "Fraction of the cases of a cell: {regime} ({})",
                 names.join(", ")
             )),
             keys: keys(&cells),

@@ -164,7 +164,7 @@ pub fn ragged(motion: Motion, manifest: &Manifest, trace: &TraceSummary) -> Stri
     let methods = manifest.method_names();
     let mean = if methods.len() == 1 { "" } else { "mean of " };
     format!(
-        "Cases with {regime} ({mean}{}): all or none of a region, a part of a tile where the \
+        "Cases with {regime} ({mean}{}): all or none of a region, a fraction of a tile where the \
          limit is ragged; {}:",
         methods.join(", "),
         of_grid(trace)

@@ -174,7 +174,8 @@ fn over_two(
 ) -> Table {
     let [right, up] = [x, y].map(|bins| bins.axis.title(units));
     let caption = format!(
-        "{}, part of the cases, in cells that begin at so much; to the right {right}, upwards {up}",
+        "{}, fraction of the cases, in cells named by their lower ends; to the right {right}, \
+         upwards {up}",
         capital(description)
     );
     let begin = |bins: &Bins, range: &[f64; 2]| short(bins.axis.unit(units).number(range[0]));

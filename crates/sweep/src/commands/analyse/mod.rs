@@ -61,7 +61,7 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
     }
     if arguments.indices.is_some() && size_of_blocks(manifest).is_none() {
         bail!(UsageError(
-            "--indices: the cases are not in blocks that tell them; `kind = \"sensitivity\"` makes \
+            "--indices: they need cases in blocks; `kind = \"sensitivity\"` makes \
              such"
                 .to_owned()
         ));

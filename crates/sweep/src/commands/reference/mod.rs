@@ -143,7 +143,7 @@ fn axes_changed(sweep: &Sweep, along: &[Axis], folder: &Path) -> Result<Vec<Axis
     let changed: Vec<Axis> = wanted.filter(|axis| !axis.is_counted()).collect();
     if changed.is_empty() {
         bail!(UsageError(format!(
-            "{}: no axis of it can be changed by a part of its value",
+            "{}: no axis of it can be changed by a fraction of its value",
             folder.display()
         )));
     }
