@@ -27,6 +27,7 @@ pub mod allotted;
 pub mod dependence;
 pub mod design;
 pub mod engine;
+pub mod follow;
 pub mod labels;
 pub mod memory;
 pub mod plan;
