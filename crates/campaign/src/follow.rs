@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use crate::engine::{
     Case, CaseError, Choice, ChoiceError, ChosenCase, FollowedMethod, Instability, MethodSystem,
-    RunOptions, Simulation, Survey, answer, common_setting,
+    Recipe, RunOptions, Simulation, Survey, answer, common_setting,
 };
 use crate::memory::{Limit, Purpose, admit};
 use crate::plan::Sweep;
@@ -241,7 +241,8 @@ fn build(
         let method = sweep.methods[chosen.methods[place]];
         let earlier = earlier.get(place).and_then(|earlier| earlier.as_ref().ok());
         let earlier = earlier.map(FollowedMethod::system);
-        MethodSystem::build_after(sweep, &setting, method, longest, earlier)
+        let recipe = Recipe::of(sweep, &setting, method, longest);
+        recipe.after(earlier).build()
     });
     let systems = systems.into_iter().map(|system| match system {
         Err(reason) if sweep.design.varies_string() => {

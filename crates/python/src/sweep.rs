@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use campaign::engine::{MethodSystem, RunOptions};
+use campaign::engine::{Recipe, RunOptions};
 use campaign::memory::{Limit, Size};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -185,7 +185,7 @@ impl Sweep {
         let plan = Arc::clone(&self.0.plan);
         let built = wait_for(py, move || {
             let setting = plan.setting.for_labels();
-            MethodSystem::build_for(&plan, &setting, method, longest)
+            Recipe::of(&plan, &setting, method, longest).build()
         })?;
         let system = built.map_err(|error| self.0.lines.any_error(py, &error))?;
         Responses::new(system.responses)

@@ -7,7 +7,7 @@ use thiserror::Error;
 use super::blow::Blow;
 use super::places::Range;
 use campaign::accuracy::trial;
-use campaign::engine::{Case, MethodSystem, StringMemory};
+use campaign::engine::{Case, Recipe, StringMemory};
 use campaign::plan::{Conditions, ImpulseAmount, ImpulseSettings, LateralSettings, Setting, Sweep};
 use campaign::quantities::Axis;
 use campaign::sweep_file::SweepFileError;
@@ -265,7 +265,7 @@ impl Subject {
         }
         let method = self.sweep.methods.first().context("a sweep has a method")?;
         // A free string swings out within seconds of the knock.
-        let system = MethodSystem::build(&setting, *method, false, start + 10.0)?;
+        let system = Recipe::alone(&setting, *method, false, start + 10.0).build()?;
         let least = system.least_impulses.first().copied();
         let least = least.filter(|least| least.is_finite());
         least.with_context(|| format!("no knock {from_bit} m from the bit brings it to the wall"))

@@ -9,7 +9,7 @@ use super::status::UsageError;
 use super::terminal::Terminal;
 use super::warnings::warn_of_memory;
 use crate::cli::WorkArguments;
-use campaign::engine::{MethodSystem, Survey, survey};
+use campaign::engine::{MethodSystem, Recipe, Survey, survey};
 use campaign::plan::{Setting, Sweep};
 use campaign::sweep_file::SweepFileError;
 use campaign::text_file::read_text;
@@ -62,7 +62,9 @@ pub fn build_systems(
     setting: &Setting,
     longest_time: f64,
 ) -> Result<Vec<MethodSystem>> {
-    MethodSystem::build_all(sweep, setting, longest_time).map_err(|error| naming_file(file, error))
+    let systems = Recipe::build_each(sweep, setting, longest_time, &[]);
+    let systems: Result<_> = systems.into_iter().collect();
+    systems.map_err(|error| naming_file(file, error))
 }
 
 /// An error of a sweep file's systems, which names the file.
