@@ -62,6 +62,33 @@ impl ChosenCases {
         }))
     }
 
+    /// The row of every case and method, as a run has it, and the motion of each that has an answer.
+    ///
+    /// # Errors
+    /// Where it takes too much memory, a method cannot treat the string, or sites differ that are
+    /// found.
+    pub fn follow(self, how: &Following, kept: &mut KeptSystems) -> Result<Followed, FollowError> {
+        how.admit(&self)?;
+        if !self.finds_sites() {
+            return to_the_end(self, how, kept);
+        }
+        let rows = find_sites(&self, how, kept)?;
+        if rows.iter().any(|row| row.outcome.is_err()) {
+            return Ok(Followed {
+                sweep: self.sweep,
+                cases: self.cases.into_iter().map(|chosen| chosen.case).collect(),
+                rows,
+                simulations: Vec::new(),
+            });
+        }
+        let chosen = self.at_found_sites(&rows)?;
+        how.admit(&chosen)?;
+        // No other case has these sites.
+        let followed = to_the_end(chosen, how, &mut KeptSystems::default())?;
+        // The rows of a run say in how many rounds sites were found.
+        Ok(Followed { rows, ..followed })
+    }
+
     fn finds_sites(&self) -> bool {
         let lateral = self.sweep.setting.lateral.as_ref();
         lateral.is_some_and(|lateral| lateral.finding.is_some())
@@ -260,37 +287,6 @@ fn build(
         instabilities.for_each(|instability| (how.warn)(&instability));
     }
     Ok(systems)
-}
-
-/// The row of every case and method, as a run has it, and the motion of each that has an answer.
-///
-/// # Errors
-/// Where it takes too much memory, a method cannot treat the string, or sites differ that are
-/// found.
-pub fn follow(
-    chosen: ChosenCases,
-    how: &Following,
-    kept: &mut KeptSystems,
-) -> Result<Followed, FollowError> {
-    how.admit(&chosen)?;
-    if !chosen.finds_sites() {
-        return to_the_end(chosen, how, kept);
-    }
-    let rows = find_sites(&chosen, how, kept)?;
-    if rows.iter().any(|row| row.outcome.is_err()) {
-        return Ok(Followed {
-            sweep: chosen.sweep,
-            cases: chosen.cases.into_iter().map(|chosen| chosen.case).collect(),
-            rows,
-            simulations: Vec::new(),
-        });
-    }
-    let chosen = chosen.at_found_sites(&rows)?;
-    how.admit(&chosen)?;
-    // No other case has these sites.
-    let followed = to_the_end(chosen, how, &mut KeptSystems::default())?;
-    // The rows of a run say in how many rounds sites were found.
-    Ok(Followed { rows, ..followed })
 }
 
 /// The row of every case and method of a sweep whose sites are found.

@@ -1,8 +1,9 @@
 //! The sweep that is open, and its cases as they are asked for.
 
 use anyhow::{Context, Result, anyhow};
+use campaign::Campaign;
 use campaign::engine::{LimitPoint, RunOptions, stick_slip_limit};
-use campaign::follow::{ChosenCases, Following, KeptSystems, follow};
+use campaign::follow::{ChosenCases, Following, KeptSystems};
 use campaign::labels::{LabelTable, history_columns};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
@@ -11,8 +12,8 @@ use campaign::sweep_file::MethodName;
 use linear::estimates::largest_undershoot;
 use serde_json::{Map, Value, json};
 
+use crate::opening::opened;
 use crate::request::{CaseAsked, LimitAsked, Request};
-use crate::sweep_of::sweep_of;
 
 /// What is answered.
 #[derive(Debug, Default)]
@@ -57,7 +58,7 @@ pub struct Engine {
 }
 
 struct Open {
-    sweep: Sweep,
+    campaign: Campaign,
     systems: KeptSystems,
 }
 
@@ -71,10 +72,10 @@ impl Engine {
     fn answer_or_say(&mut self, request: &[u8]) -> Result<Answer> {
         let request = serde_json::from_slice(request).context("this cannot be asked")?;
         if let Request::Open(opening) = request {
-            let sweep = sweep_of(*opening)?;
-            let answer = Answer::ok(description(&sweep));
+            let campaign = opened(*opening)?;
+            let answer = Answer::ok(description(&campaign.sweep));
             self.open = Some(Open {
-                sweep,
+                campaign,
                 systems: KeptSystems::default(),
             });
             return Ok(answer);
@@ -109,7 +110,7 @@ impl Open {
         let chosen = self.chosen(asked)?;
         let how = following(asked.full);
         self.systems.accepts_longer = asked.quick;
-        let followed = follow(chosen, &how, &mut self.systems)?;
+        let followed = chosen.follow(&how, &mut self.systems)?;
         let (sweep, row) = (&followed.sweep, followed.rows.first());
         let row = row.context("there is no case")?;
         let simulation = followed.simulations.first();
@@ -159,9 +160,9 @@ impl Open {
         let method = self.place_of(asked.method)?;
         let set = asked.set.iter().map(|(&axis, &value)| (axis, value));
         let set: Vec<(Axis, f64)> = set.collect();
-        let chosen = ChosenCases::of(&self.sweep, &[asked.case], &set, &[method])?;
+        let chosen = self.campaign.cases(&[asked.case], &set, &[method])?;
         chosen.map_err(|rows| match rows.first() {
-            Some(row) => without_answer(&self.sweep, row),
+            Some(row) => without_answer(&self.campaign.sweep, row),
             None => anyhow!("there is no case"),
         })
     }
@@ -171,7 +172,12 @@ impl Open {
         let Some(name) = method.map(MethodName::name) else {
             return Ok(0);
         };
-        let place = self.sweep.methods.iter().position(|own| own.name() == name);
+        let place = self
+            .campaign
+            .sweep
+            .methods
+            .iter()
+            .position(|own| own.name() == name);
         place.with_context(|| format!("the sweep was opened without the method {name}"))
     }
 }

@@ -25,13 +25,15 @@ pub fn limits<'py>(
     memory: Limit,
 ) -> PyResult<Bound<'py, PyDict>> {
     let survey = sweep.look(py)?;
-    let plan = Arc::clone(&sweep.plan);
+    let campaign = Arc::clone(&sweep.campaign);
     let systems = {
-        let plan = Arc::clone(&plan);
-        wait_for(py, move || RunSystems::admitted(&plan, &survey, &memory))?
-            .map_err(|error| not_begun(py, sweep, error))?
+        let campaign = Arc::clone(&campaign);
+        wait_for(py, move || {
+            RunSystems::admitted(&campaign.sweep, &survey, &memory)
+        })?
+        .map_err(|error| not_begun(py, sweep, error))?
     };
-    let text = wait_for(py, move || text_of(&plan, &systems))?;
+    let text = wait_for(py, move || text_of(&campaign.sweep, &systems))?;
     let text = text.map_err(|error| sweep.about_file(format_args!("{error:#}")))?;
     let by_name = PyDict::new(py);
     for (name, column) in columns_of(&text) {

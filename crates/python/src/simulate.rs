@@ -4,11 +4,11 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use campaign::Campaign;
 use campaign::engine::{ChoiceError, RunOptions};
-use campaign::follow::{ChosenCases, FollowError, Followed, Following, KeptSystems, follow};
+use campaign::follow::{FollowError, Followed, Following, KeptSystems};
 use campaign::labels::LabelTable;
 use campaign::memory::Limit;
-use campaign::plan::Sweep as Plan;
 use campaign::quantities::Axis;
 use campaign::records::Record;
 use campaign::sweep_file::axis_in_units;
@@ -78,8 +78,8 @@ pub fn simulate(py: Python<'_>, sweep: &ReadSweep, asked: Asked) -> PyResult<Sim
             .map_err(refused)
     });
     let set = set.collect::<PyResult<Vec<_>>>()?;
-    let plan = Arc::clone(&sweep.plan);
-    let seen = wait_for(py, move || Seen::of(&plan, &set, &asked))?;
+    let campaign = Arc::clone(&sweep.campaign);
+    let seen = wait_for(py, move || Seen::of(&campaign, &set, &asked))?;
     let Seen {
         record,
         motion,
@@ -89,7 +89,7 @@ pub fn simulate(py: Python<'_>, sweep: &ReadSweep, asked: Asked) -> PyResult<Sim
         warn(py, doubt)?;
     }
     let row = PyDict::new(py);
-    put_row(&LabelTable::of(&sweep.plan), &record, &row)?;
+    put_row(&LabelTable::of(&sweep.campaign.sweep), &record, &row)?;
     let motion = motion.map(|motion| Py::new(py, motion));
     Ok(Simulation {
         row: row.unbind(),
@@ -129,9 +129,9 @@ struct Seen {
 
 impl Seen {
     /// The row of a case and its motion, as the command has them of a case by one method.
-    fn of(plan: &Plan, set: &[(Axis, f64)], asked: &Asked) -> Result<Self, Refusal> {
+    fn of(campaign: &Campaign, set: &[(Axis, f64)], asked: &Asked) -> Result<Self, Refusal> {
         let doubt = RefCell::new(None);
-        let chosen = ChosenCases::of(plan, &[asked.case], set, &[asked.method]);
+        let chosen = campaign.cases(&[asked.case], set, &[asked.method]);
         let (mut rows, motion) = match chosen.map_err(Refusal::Choice)? {
             Err(rows) => (rows, None),
             Ok(chosen) => {
@@ -140,7 +140,7 @@ impl Seen {
                     memory: Some((&asked.limit, 0)),
                     warn: &|instability| *doubt.borrow_mut() = Some(instability.to_string()),
                 };
-                let followed = follow(chosen, &following, &mut KeptSystems::default());
+                let followed = chosen.follow(&following, &mut KeptSystems::default());
                 let Followed {
                     sweep,
                     rows,

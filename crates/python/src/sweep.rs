@@ -98,20 +98,21 @@ impl Sweep {
     /// The file's name without its ending.
     #[getter]
     fn name(&self) -> &str {
-        &self.0.plan.name
+        &self.0.campaign.sweep.name
     }
 
     /// One line for pictures.
     #[getter]
     fn title(&self) -> &str {
-        &self.0.plan.title
+        &self.0.campaign.sweep.title
     }
 
     /// Names of the linear methods.
     #[getter]
     fn methods(&self) -> Vec<&'static str> {
         self.0
-            .plan
+            .campaign
+            .sweep
             .methods
             .iter()
             .map(|method| method.name())
@@ -122,7 +123,8 @@ impl Sweep {
     #[getter]
     fn axes(&self) -> Vec<String> {
         self.0
-            .plan
+            .campaign
+            .sweep
             .design
             .axes()
             .iter()
@@ -133,12 +135,12 @@ impl Sweep {
     /// Number of cases.
     #[getter]
     fn cases(&self) -> usize {
-        self.0.plan.design.cases()
+        self.0.campaign.sweep.design.cases()
     }
 
     /// The values of a case along the axes.
     fn values<'py>(&self, py: Python<'py>, case: usize) -> PyResult<Bound<'py, PyDict>> {
-        let cases = self.0.plan.design.cases();
+        let cases = self.0.campaign.sweep.design.cases();
         if case >= cases {
             let last = cases - 1;
             return Err(refused(format_args!(
@@ -146,7 +148,11 @@ impl Sweep {
             )));
         }
         let values = PyDict::new(py);
-        for (axis, value) in self.axes().into_iter().zip(self.0.plan.design.values(case)) {
+        for (axis, value) in self
+            .axes()
+            .into_iter()
+            .zip(self.0.campaign.sweep.design.values(case))
+        {
             values.set_item(axis, value)?;
         }
         Ok(values)
@@ -155,37 +161,43 @@ impl Sweep {
     /// The string as the file says it.
     #[getter]
     fn string(&self) -> Drillstring {
-        let string = self.0.plan.setting.string.clone();
+        let string = self.0.campaign.sweep.setting.string.clone();
         Drillstring { string }
     }
 
     /// Distances of the sites from the bit, m, from the surface down.
     #[getter]
     fn sites(&self) -> Vec<f64> {
-        self.0.plan.setting.sites.distances_from_bit().to_vec()
+        self.0
+            .campaign
+            .sweep
+            .setting
+            .sites
+            .distances_from_bit()
+            .to_vec()
     }
 
     /// Sampling frequency, Hz.
     #[getter]
     fn sampling_frequency(&self) -> f64 {
-        self.0.plan.setting.sampling_frequency
+        self.0.campaign.sweep.setting.sampling_frequency
     }
 
     /// The file with its bases as JSON.
     fn _json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.0.plan.content).map_err(refused)
+        serde_json::to_string(&self.0.campaign.sweep.content).map_err(refused)
     }
 
     /// The impulse responses by which a run steps the string as the file says it: those of its
     /// first method, or of one that is named.
     #[pyo3(signature = (method = None))]
     fn responses(&self, py: Python<'_>, method: Option<&str>) -> PyResult<Responses> {
-        let method = self.0.plan.methods[self.0.place_of(method)?];
+        let method = self.0.campaign.sweep.methods[self.0.place_of(method)?];
         let longest = self.0.look(py)?.longest;
-        let plan = Arc::clone(&self.0.plan);
+        let campaign = Arc::clone(&self.0.campaign);
         let built = wait_for(py, move || {
-            let setting = plan.setting.for_labels();
-            Recipe::of(&plan, &setting, method, longest).build()
+            let setting = campaign.sweep.setting.for_labels();
+            Recipe::of(&campaign.sweep, &setting, method, longest).build()
         })?;
         let system = built.map_err(|error| self.0.lines.any_error(py, &error))?;
         Responses::new(system.responses)
@@ -249,7 +261,7 @@ impl Sweep {
     }
 
     fn __repr__(&self) -> String {
-        let (name, cases) = (&self.0.plan.name, self.cases());
+        let (name, cases) = (&self.0.campaign.sweep.name, self.cases());
         format!(
             "<Sweep {name}: {cases} cases by {}>",
             self.methods().join(", ")

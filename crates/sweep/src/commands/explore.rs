@@ -16,9 +16,9 @@ use super::warnings::warn_of_memory;
 use crate::cli::ExploreArguments;
 use crate::explore::{Explored, controls, page, whirl_lines};
 use crate::histories::history_picture;
+use campaign::Campaign;
 use campaign::engine::RunOptions;
-use campaign::follow::{ChosenCases, Following, KeptSystems, follow};
-use campaign::plan::Sweep;
+use campaign::follow::{Following, KeptSystems};
 use campaign::text_file::read_text;
 use plot::Look;
 use results::files::write_atomically;
@@ -30,9 +30,9 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
     use_threads(None, terminal)?;
     warn_of_memory(memory, terminal);
     let limit = memory.limit();
-    let (sweep, texts) = read(file)?;
-    let sweep = choose(sweep, false, &limit, false, terminal)?;
-    let lateral = sweep.setting.lateral.as_ref();
+    let (campaign, texts) = read(file)?;
+    let campaign = choose(campaign, false, &limit, false, terminal)?;
+    let lateral = campaign.sweep.setting.lateral.as_ref();
     if lateral.is_some_and(|lateral| lateral.finding.is_some()) {
         bail!(UsageError(format!(
             "{}: sites that are found case by case take too long to follow a slider: name the \
@@ -41,7 +41,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         )));
     }
     let refused = |words: String| UsageError(format!("{}: {words}", file.display()));
-    let chosen = ChosenCases::of(&sweep, &[arguments.case], &[], &[0]);
+    let chosen = campaign.cases(&[arguments.case], &[], &[0]);
     let chosen = match chosen.map_err(|error| refused(error.to_string()))? {
         Ok(chosen) => chosen,
         Err(rows) => {
@@ -55,7 +55,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         memory: Some((&limit, 0)),
         warn: &|_| (),
     };
-    let followed = follow(chosen, &following, &mut KeptSystems::default());
+    let followed = chosen.follow(&following, &mut KeptSystems::default());
     let followed = followed.map_err(|error| not_followed(error, file))?;
     let sweep = followed.sweep;
     let (row, case) = (followed.rows.into_iter().next())
@@ -86,13 +86,13 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
 }
 
 /// A sweep, and every text that was read for it, by its path.
-fn read(file: &Path) -> Result<(Sweep, BTreeMap<String, String>)> {
+fn read(file: &Path) -> Result<(Campaign, BTreeMap<String, String>)> {
     let texts = RefCell::new(BTreeMap::new());
-    let sweep = Sweep::read_from(file, &[], &|path, most| {
+    let campaign = Campaign::open(file, &[], &|path, most| {
         let text = read_text(path, most)?;
         let name = path.display().to_string();
         texts.borrow_mut().insert(name, text.clone());
         Ok(text)
     })?;
-    Ok((sweep, texts.into_inner()))
+    Ok((campaign, texts.into_inner()))
 }

@@ -12,14 +12,14 @@ use anyhow::Result;
 
 use super::drawing::Drawing;
 use super::folder::results_folder;
-use super::prepare::{naming_file, read_sweep, unique};
+use super::prepare::{naming_file, open, unique};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_sweep;
 use crate::cli::SimulateArguments;
 use campaign::engine::{ChoiceError, Instability, RunOptions};
-use campaign::follow::{ChosenCases, FollowError, Following, KeptSystems, follow};
+use campaign::follow::{FollowError, Following, KeptSystems};
 use campaign::plan::Sweep;
 use campaign::records::Record;
 use writing::Written;
@@ -31,14 +31,15 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
     } = arguments;
     let drawing = Drawing::of(&arguments.picture)?.over(&arguments.ranges);
     use_threads(work.jobs, terminal)?;
-    let sweep = read_sweep(file, work, *full, false, terminal)?;
-    warn_of_sweep(&sweep, terminal);
+    let campaign = open(file, work, *full, false, terminal)?;
+    let sweep = &campaign.sweep;
+    warn_of_sweep(sweep, terminal);
     let methods: Vec<usize> = (0..sweep.methods.len()).collect();
     let cases = unique(&arguments.case);
-    let chosen = ChosenCases::of(&sweep, &cases, &arguments.set, &methods);
+    let chosen = campaign.cases(&cases, &arguments.set, &methods);
     let chosen = match chosen.map_err(|error| in_words(error, file))? {
         Ok(chosen) => chosen,
-        Err(rows) => return Ok(tell_of_failures(&sweep, &rows, terminal)),
+        Err(rows) => return Ok(tell_of_failures(sweep, &rows, terminal)),
     };
     film::refuse_idle(&chosen.sweep, &chosen.cases, &arguments.film)?;
     let following = Following {
@@ -49,7 +50,7 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
         memory: Some((&work.memory.limit(), arguments.film.frames_asked())),
         warn: &|instability: &Instability| terminal.complain(&format!("warning: {instability}")),
     };
-    let followed = follow(chosen, &following, &mut KeptSystems::default());
+    let followed = chosen.follow(&following, &mut KeptSystems::default());
     let followed = followed.map_err(|error| not_followed(error, file))?;
     if !followed.simulations.is_empty() {
         let folder = results_folder(arguments.out.as_ref(), &followed.sweep);
