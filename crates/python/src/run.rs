@@ -19,7 +19,7 @@ use rayon::ThreadPool;
 
 use crate::errors::{refused, warn};
 use crate::read::ReadSweep;
-use crate::table::{Column, columns};
+use crate::table::{Column, by_name, columns};
 use crate::wait::{wait_for, watch};
 
 /// What a row takes beside its values, bytes: its record, and its fields in the table.
@@ -103,11 +103,7 @@ pub fn run<'py>(
     // Whoever asked for it does not wait any more.
     shared.stops.store(true, Ordering::Relaxed);
     let table = made?.map_err(|error| sweep.lines.any_error(py, &error))?;
-    let by_name = PyDict::new(py);
-    for (name, column) in table {
-        by_name.set_item(name, column.array(py)?)?;
-    }
-    Ok(by_name)
+    by_name(py, table)
 }
 
 /// What a run builds before its first case, where that and its table are within the limit.

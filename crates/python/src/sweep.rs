@@ -8,9 +8,11 @@ use campaign::engine::{Recipe, RunOptions};
 use campaign::memory::{Limit, Size};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use results::window::WindowAsked;
 
 use crate::errors::{Lines, refused};
-use crate::limits::limits;
+use crate::folders::{own_folder, window};
+use crate::limits::{limits, whirl_limits};
 use crate::read::{ReadSweep, Texts};
 use crate::responses::Responses;
 use crate::run::run;
@@ -238,6 +240,42 @@ impl Sweep {
     #[pyo3(signature = (*, memory = None))]
     fn _limits<'py>(&self, py: Python<'py>, memory: Option<&str>) -> PyResult<Bound<'py, PyDict>> {
         limits(py, &self.0, limit_of(memory)?)
+    }
+
+    /// The limit of whirl between two surface speeds (rpm), by the columns of `boundary.csv`.
+    fn _whirl_limits<'py>(
+        &self,
+        py: Python<'py>,
+        least: f64,
+        most: f64,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        whirl_limits(py, &self.0, [least, most])
+    }
+
+    /// The operating window by results folders of its string, by the columns of `window.csv`; and
+    /// the best point.
+    #[pyo3(signature = (folders, *, orders, held_at, margin, risk, bins, clearance))]
+    #[expect(clippy::too_many_arguments, reason = "keywords")]
+    fn _window<'py>(
+        &self,
+        py: Python<'py>,
+        folders: Option<Vec<PathBuf>>,
+        orders: Vec<f64>,
+        held_at: Option<Vec<f64>>,
+        margin: f64,
+        risk: f64,
+        bins: usize,
+        clearance: f64,
+    ) -> PyResult<(Bound<'py, PyDict>, Option<Bound<'py, PyDict>>)> {
+        let asked = WindowAsked {
+            orders,
+            held_at,
+            margin,
+            risk,
+            bins,
+        };
+        let folders = folders.unwrap_or_else(|| vec![own_folder(&self.0)]);
+        window(py, &self.0, folders, asked, clearance)
     }
 
     /// Runs every case by every method, and gives the columns of `labels.csv` by name.

@@ -19,5 +19,5 @@ pub use counts::Group;
 pub use indices::{DRAWN, IndexUnavailable, Indices, LEAST_BLOCKS};
 pub use interval::{Interval, cases_for, wilson};
 pub use of_tables::{Analysis, NoAnalysis, blocks, count_cases, size_of_blocks};
-pub use rows::{CountRow, IndexRow, count_rows, index_rows};
+pub use rows::{COUNT_COLUMNS, CountRow, INDEX_COLUMNS, IndexRow, count_rows, index_rows};
 pub use sensitivity::sensitivity;

@@ -6,6 +6,7 @@ use super::blocks::MethodBlocks;
 use super::counts::Counts;
 use super::interval::{Interval, wilson};
 use campaign::quantities::Axis;
+use campaign::records::{Field, Kind};
 
 const BISTABLE: Label = Label::Torsion(TorsionRegime::Bistable);
 
@@ -26,6 +27,53 @@ pub struct CountRow<'a> {
     pub of: usize,
     /// The fraction, with its interval.
     pub fraction: Interval,
+}
+
+/// The columns of [`CountRow`]s.
+pub const COUNT_COLUMNS: [(&str, Kind); 14] = [
+    ("method", Kind::Text),
+    ("motion", Kind::Text),
+    ("regime", Kind::Text),
+    ("x", Kind::Text),
+    ("x_from", Kind::Number),
+    ("x_to", Kind::Number),
+    ("y", Kind::Text),
+    ("y_from", Kind::Number),
+    ("y_to", Kind::Number),
+    ("cases", Kind::Count),
+    ("of", Kind::Count),
+    ("fraction", Kind::Number),
+    ("low", Kind::Number),
+    ("high", Kind::Number),
+];
+
+impl CountRow<'_> {
+    /// Its fields by column; of axes that it is not counted over, nothing.
+    pub fn fields(&self) -> [Field<'_>; COUNT_COLUMNS.len()] {
+        let place = |axis: usize| -> [Field<'_>; 3] {
+            let Some((axis, [from, to])) = self.cell.get(axis) else {
+                return [Field::Nothing, Field::Nothing, Field::Nothing];
+            };
+            [axis.name().into(), (*from).into(), (*to).into()]
+        };
+        let ([x, x_from, x_to], [y, y_from, y_to]) = (place(0), place(1));
+        [
+            self.method.into(),
+            self.motion.adjective().into(),
+            self.regime.name().into(),
+            x,
+            x_from,
+            x_to,
+            y,
+            y_from,
+            y_to,
+            self.cases.into(),
+            self.of.into(),
+            self.fraction.value.into(),
+            self.fraction.low.into(),
+            self.fraction.high.into(),
+        ]
+    }
 }
 
 /// All counts, tidy: a row for each set of axes, cell, method and regime.
@@ -75,6 +123,38 @@ pub struct IndexRow<'a> {
     pub first: Interval,
     /// The total index.
     pub total: Interval,
+}
+
+/// The columns of [`IndexRow`]s.
+pub const INDEX_COLUMNS: [(&str, Kind); 10] = [
+    ("method", Kind::Text),
+    ("quantity", Kind::Text),
+    ("axis", Kind::Text),
+    ("blocks", Kind::Count),
+    ("first", Kind::Number),
+    ("first_low", Kind::Number),
+    ("first_high", Kind::Number),
+    ("total", Kind::Number),
+    ("total_low", Kind::Number),
+    ("total_high", Kind::Number),
+];
+
+impl IndexRow<'_> {
+    /// Its fields by column.
+    pub fn fields(&self) -> [Field<'_>; INDEX_COLUMNS.len()] {
+        [
+            self.method.into(),
+            self.quantity.into(),
+            self.axis.name().into(),
+            self.blocks.into(),
+            self.first.value.into(),
+            self.first.low.into(),
+            self.first.high.into(),
+            self.total.value.into(),
+            self.total.low.into(),
+            self.total.high.into(),
+        ]
+    }
 }
 
 /// The indices of what can be told: a row for each method, quantity and axis.

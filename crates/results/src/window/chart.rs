@@ -1,6 +1,7 @@
 //! Limits over one another, cell by cell.
 
 use super::standing::Standing;
+use campaign::records::{Field, Kind};
 
 /// A cell is no larger than this part of either axis.
 const LARGEST_CELL: f64 = 1.0 / 128.0;
@@ -153,6 +154,34 @@ impl Chart {
         let limits = self.limits.iter();
         let worse = limits.filter(|limit| limit.standings[cell] > standing);
         worse.map(|limit| limit.name.as_str()).collect()
+    }
+}
+
+/// The columns of a chart as a table, in SI units.
+pub const WINDOW_COLUMNS: [(&str, Kind); 6] = [
+    ("weight_on_bit_kn_from", Kind::Number),
+    ("weight_on_bit_kn_to", Kind::Number),
+    ("surface_speed_rpm_from", Kind::Number),
+    ("surface_speed_rpm_to", Kind::Number),
+    ("standing", Kind::Text),
+    ("limits", Kind::Text),
+];
+
+impl Chart {
+    /// Every cell by these columns: where it is, how it stands, and what it is not clear of.
+    pub fn rows(&self) -> impl Iterator<Item = [Field<'_>; WINDOW_COLUMNS.len()]> {
+        self.cells().map(|cell| {
+            let [[weight, to_weight], [speed, to_speed]] = self.ends(cell);
+            let limits = self.worse_than(Standing::Clear, cell);
+            [
+                weight.into(),
+                to_weight.into(),
+                speed.into(),
+                to_speed.into(),
+                self.standing(cell).key().into(),
+                (!limits.is_empty()).then(|| limits.join("; ")).into(),
+            ]
+        })
     }
 }
 

@@ -18,7 +18,7 @@ mod simulated;
 mod standing;
 
 pub use best::{Best, Room};
-pub use chart::{Chart, Drawn, Limit};
+pub use chart::{Chart, Drawn, Limit, WINDOW_COLUMNS};
 pub use error::WindowError;
 pub use operating::{OperatingWindow, WindowAsked};
 pub use regions::Region;

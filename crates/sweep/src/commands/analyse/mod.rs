@@ -16,7 +16,7 @@ use campaign::quantities::Axis;
 use picture::{draw, refuse_absent, refuse_several};
 use results::analysis::{Analysis, NoAnalysis, size_of_blocks};
 use results::files::write_atomically;
-use table::{COUNTS, INDICES, counts_csv, indices_csv};
+use table::{counts_csv, counts_header, indices_csv, indices_header};
 
 /// Refuses to write over what this command has not written.
 fn refuse_to_lose_any(arguments: &AnalyseArguments) -> Result<()> {
@@ -27,7 +27,8 @@ fn refuse_to_lose_any(arguments: &AnalyseArguments) -> Result<()> {
     });
     let counts = arguments.out.as_ref();
     let indices = arguments.indices.as_ref();
-    let (of_counts, of_indices) = ([COUNTS.as_bytes()], [INDICES.as_bytes()]);
+    let headers = [counts_header(), indices_header()];
+    let [of_counts, of_indices] = headers.each_ref().map(|header| [header.as_bytes()]);
     let files = [
         counts.map(|path| (path, Output::Beginning(&of_counts))),
         indices.map(|path| (path, Output::Beginning(&of_indices))),
