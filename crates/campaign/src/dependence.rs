@@ -5,9 +5,7 @@ use anyhow::Result;
 use linear::{Method, parallel};
 use serde::{Deserialize, Serialize};
 
-use crate::engine::{
-    Case, MethodSystem, RunOptions, Shard, StringMemory, answer, has_case, setting_of,
-};
+use crate::engine::{Case, Recipe, RunOptions, Shard, StringMemory, answer, has_case, setting_of};
 
 use crate::records::{FINER, Record};
 
@@ -331,7 +329,9 @@ impl<'a> OfString<'a> {
         if !is_worth_building(self.sweep, setting, longest) {
             return Some(Vec::new());
         }
-        let system = MethodSystem::build_for(self.sweep, setting, method, longest).ok()?;
+        let system = Recipe::of(self.sweep, setting, method, longest)
+            .build()
+            .ok()?;
         if system.instability().is_some() {
             return None;
         }

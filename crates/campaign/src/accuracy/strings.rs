@@ -12,7 +12,7 @@ use linear::waves::lattice::Lattice;
 use linear::{ImpulseTrains, Method, parallel};
 
 use super::answer::Difference;
-use crate::engine::{MethodSystem, StringMemory};
+use crate::engine::{MethodSystem, Recipe, StringMemory};
 use crate::memory::{Limit, Size};
 use crate::plan::{LateralSettings, Setting, Sweep};
 
@@ -156,9 +156,8 @@ impl<'a> Strings<'a> {
                 Method::Held => self.trains_of(string, &setting)?,
                 _ => None,
             };
-            let cuts = self.sweep.bit.is_some();
-            let system = MethodSystem::build_with(&setting, method, cuts, self.longest, trains)
-                .map_err(|error| anyhow!("{error:#}"))?;
+            let recipe = self.recipe(&setting, method).with_trains(trains);
+            let system = recipe.build().map_err(|error| anyhow!("{error:#}"))?;
             match system.instability() {
                 Some(instability) => Err(instability.into()),
                 None => Ok(system),
@@ -169,11 +168,14 @@ impl<'a> Strings<'a> {
         systems.into_iter().collect()
     }
 
+    fn recipe<'b>(&self, setting: &'b Setting, method: Method) -> Recipe<'b> {
+        Recipe::alone(setting, method, self.sweep.bit.is_some(), self.longest)
+    }
+
     /// The trains of a string, found once.
     fn trains_of(&self, string: usize, setting: &Setting) -> Result<Option<&ImpulseTrains>> {
         let found = self.trains[string].get_or_init(|| {
-            let cuts = self.sweep.bit.is_some();
-            let trains = MethodSystem::trains(setting, cuts, self.longest);
+            let trains = self.recipe(setting, Method::Held).trains();
             trains.map_err(|reason| format!("{reason:#}"))
         });
         match found {

@@ -14,7 +14,7 @@ use super::clearances::{Beyond, Clearances};
 use super::nearby::certify;
 use super::run_options::RunOptions;
 use super::stepped::{MOST_BY_TAPS, stepped_by};
-use super::systems::MethodSystem;
+use super::systems::{MethodSystem, Recipe};
 use super::whole_string::whole_string;
 use crate::plan::{Finding, Setting, Sweep};
 use crate::records::{Failure, Found, Record};
@@ -127,7 +127,7 @@ fn next_system(
     let setting = sweep.setting_with_sites(&system.setting, &found.sites)?;
     let longest = system.responses.longest_time;
     let case = case.at_sites_of(&setting)?;
-    let system = MethodSystem::build_for(sweep, &setting, system.method, longest)
+    let system = (Recipe::of(sweep, &setting, system.method, longest).build())
         .and_then(|system| system.with_finer(sweep, method, longest))
         .map_err(CaseError::Responses)?;
     Ok(Some((system, case)))

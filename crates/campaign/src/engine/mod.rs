@@ -45,7 +45,7 @@ pub use shard::Shard;
 pub use simulation::Simulation;
 pub use stopwatch::Stopwatch;
 pub use survey::{Survey, longest_beside, setting_of, survey};
-pub use systems::{MethodSystem, add_finer, compare_fronts};
+pub use systems::{Basis, MethodSystem, Recipe, add_finer, compare_fronts};
 pub use whole_string::whole_string;
 
 use std::sync::OnceLock;
@@ -170,7 +170,7 @@ impl Work<'_> {
     ) -> Result<Vec<Result<MethodSystem, CaseError>>, CaseError> {
         let setting = setting_of(self.sweep, string)?;
         let longest = survey::of_string(self.sweep, &setting, string)?.longest;
-        let systems = MethodSystem::build_each(self.sweep, &setting.for_labels(), longest, base);
+        let systems = Recipe::build_each(self.sweep, &setting.for_labels(), longest, base);
         let finer = |(method, system): (usize, Result<MethodSystem>)| {
             let system = system.and_then(|system| system.with_finer(self.sweep, method, longest));
             system.map_err(CaseError::Responses)

@@ -22,7 +22,7 @@ use crate::records::{ByStart, Failure, Record, Verdict, verdict};
 
 mod building;
 
-pub use building::add_finer;
+pub use building::{Basis, Recipe, add_finer};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ use thiserror::Error;
 use super::impulse::LateralImpulse;
 use super::places::Range;
 use campaign::accuracy::trial;
-use campaign::engine::{Case, MethodSystem, StringMemory};
+use campaign::engine::{Case, Recipe, StringMemory};
 use campaign::plan::{Conditions, ImpulseAmount, ImpulseSettings, LateralSettings, Setting, Sweep};
 use campaign::quantities::Axis;
 use campaign::sweep_file::SweepFileError;
@@ -267,7 +267,7 @@ impl StudiedString {
         }
         let method = self.sweep.methods.first().context("a sweep has a method")?;
         // A free string reaches its largest displacement within seconds of the impulse.
-        let system = MethodSystem::build(&setting, *method, false, start + 10.0)?;
+        let system = Recipe::alone(&setting, *method, false, start + 10.0).build()?;
         let least = system.least_impulses.first().copied();
         let least = least.filter(|least| least.is_finite());
         least.with_context(|| format!("no impulse {from_bit} m from the bit brings it to the wall"))

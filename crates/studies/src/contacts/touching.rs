@@ -11,7 +11,7 @@ use super::impulse::LateralImpulse;
 use super::places::{index_of, with_others};
 use super::search::{Least, scan};
 use super::subject::{StudiedString, impulse_settings, impulse_start};
-use campaign::engine::{Case, MethodSystem};
+use campaign::engine::{Case, MethodSystem, Recipe};
 
 /// Clearance of a place that is hit but is no contact, m: no string comes so far.
 const OUT_OF_REACH: f64 = 1e6;
@@ -59,7 +59,7 @@ impl<'a> Touching<'a> {
         let is_contact = is_contact.collect();
         let time = subject.duration(&setting)?;
         Ok(Self {
-            system: MethodSystem::build(&setting, method, subject.sweep.bit.is_some(), time)?,
+            system: Recipe::alone(&setting, method, subject.sweep.bit.is_some(), time).build()?,
             subject,
             is_contact,
         })

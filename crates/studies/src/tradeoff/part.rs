@@ -12,7 +12,7 @@ use super::history::History;
 use super::measure::Measure;
 use super::row::{Reference, TradeoffRow, extrapolated};
 use campaign::accuracy::trial;
-use campaign::engine::{Case, MethodSystem};
+use campaign::engine::{Case, MethodSystem, Recipe};
 use campaign::plan::Sweep;
 
 /// A timing is the best of this many.
@@ -65,7 +65,7 @@ impl Part {
 
     fn system(&self, method: Method, sampling_frequency: f64) -> Result<MethodSystem> {
         let setting = self.sweep.setting.sampled_at(sampling_frequency);
-        MethodSystem::build_for(&self.sweep, &setting, method, self.longest)
+        Recipe::of(&self.sweep, &setting, method, self.longest).build()
     }
 
     /// Some measures by a method, for references.

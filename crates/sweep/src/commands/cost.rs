@@ -10,7 +10,9 @@ use rayon::prelude::*;
 use sim::Scene;
 
 use campaign::design::Design;
-use campaign::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey, add_finer, answer};
+use campaign::engine::{
+    Case, MethodSystem, Recipe, RunOptions, StringMemory, Survey, add_finer, answer,
+};
 use campaign::memory::{Estimate, Limit, Size};
 use campaign::plan::{Setting, Sweep};
 use campaign::words::counted;
@@ -155,7 +157,8 @@ fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pa
     let setting = sweep.setting.for_labels();
     let prepared = longest.min(STEPS / setting.sampling_frequency);
     let start = Instant::now();
-    let systems = MethodSystem::build_all(sweep, &setting, prepared)?;
+    let systems = Recipe::build_each(sweep, &setting, prepared, &[]);
+    let systems = systems.into_iter().collect::<Result<_>>()?;
     let systems = add_finer(systems, sweep, prepared)?;
     let built = start.elapsed().as_secs_f64();
     Ok(Pace {

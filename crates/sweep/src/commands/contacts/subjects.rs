@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::{Result, bail};
 
 use crate::cli::ContactsArguments;
-use crate::commands::prepare::{read_sweep, unique};
+use crate::commands::prepare::{open, unique};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::{warn_of_memory, warn_of_sweep};
@@ -25,7 +25,7 @@ const SHIPPED: [(&str, &str); 2] = [("paper", "contacts.toml"), ("field", "conta
 pub fn subjects(arguments: &ContactsArguments, terminal: Terminal) -> Result<Vec<StudiedString>> {
     let (work, quiet) = (&arguments.work, arguments.quiet);
     if let Some(file) = &arguments.file {
-        let sweep = read_sweep(file, work, false, quiet, terminal)?;
+        let sweep = open(file, work, false, quiet, terminal)?.sweep;
         warn_of_sweep(&sweep, terminal);
         let name = sweep.name.clone();
         return Ok(vec![subject(name, sweep, Some(file), arguments)?]);

@@ -19,6 +19,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::ReferenceArguments;
+use campaign::Campaign;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::records::Record;
@@ -119,13 +120,8 @@ fn read_as_run(
         return Ok(Sweep::read_from(file, &manifest.sweep.methods, &read_text)?);
     }
     let limit = arguments.memory.limit();
-    choose(
-        Sweep::read(file)?,
-        manifest.options.full,
-        &limit,
-        false,
-        terminal,
-    )
+    let campaign = Campaign::open(file, &[], &read_text)?;
+    Ok(choose(campaign, manifest.options.full, &limit, false, terminal)?.sweep)
 }
 
 /// The axes that are changed: of those asked for, or of all, the ones that are no counts.

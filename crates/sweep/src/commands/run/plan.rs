@@ -19,7 +19,7 @@ use results::log::LogView;
 /// # Errors
 /// Where it would take too much memory.
 pub fn describe(task: &Task, found: &FolderState, stops: &dyn Fn() -> bool) -> Result<String> {
-    let sweep = &task.sweep;
+    let sweep = &task.campaign.sweep;
     let is_trace = matches!(sweep.design, Design::Trace(_));
     let total = if is_trace {
         sweep.design.likely_cases() * sweep.methods.len()
@@ -65,7 +65,7 @@ pub fn describe(task: &Task, found: &FolderState, stops: &dyn Fn() -> bool) -> R
 }
 
 fn cost(task: &Task, simulations: usize, stops: &dyn Fn() -> bool) -> Result<String> {
-    let (arguments, sweep, survey) = (task.arguments, &task.sweep, &task.survey);
+    let (arguments, sweep, survey) = (task.arguments, &task.campaign.sweep, &task.survey);
     let limit = arguments.work.memory.limit();
     let setting = sweep.setting.for_labels();
     let memory = admit(sweep, &setting, survey, Purpose::Labels, &limit)?;
@@ -75,7 +75,7 @@ fn cost(task: &Task, simulations: usize, stops: &dyn Fn() -> bool) -> Result<Str
 
 /// Cases, methods and folder.
 fn what_runs(task: &Task, total: usize) -> String {
-    let (sweep, shard) = (&task.sweep, task.header.shard);
+    let (sweep, shard) = (&task.campaign.sweep, task.header.shard);
     let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
     let part = if shard.is_whole() {
         String::new()
@@ -104,7 +104,7 @@ fn traced(design: &TraceDesign) -> String {
 }
 
 fn strings(task: &Task) -> String {
-    let strings = counted(task.sweep.design.strings(), "distinct string");
+    let strings = counted(task.campaign.sweep.design.strings(), "distinct string");
     let mut text = format!("{strings}, each built once\n");
     let impossible = task.survey.impossible_strings;
     if impossible > 0 {
@@ -117,7 +117,7 @@ fn strings(task: &Task) -> String {
 }
 
 fn times(task: &Task) -> String {
-    let (sweep, survey) = (&task.sweep, &task.survey);
+    let (sweep, survey) = (&task.campaign.sweep, &task.survey);
     let design = &sweep.design;
     let part = design.likely_cases() as f64 / design.cases() as f64;
     let frequency = sweep.setting.sampling_frequency;
