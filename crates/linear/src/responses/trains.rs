@@ -2,6 +2,7 @@
 
 use super::request::{ChannelRequest, Request};
 use super::rounds::{Rounds, bytes_of};
+use super::slowest::{Scheme, loss_per_step};
 use super::wanted::Wanted;
 use crate::assembly::lanes::Lanes;
 use crate::assembly::working_bytes;
@@ -113,8 +114,9 @@ impl<'a> TrainsPlan<'a> {
         let sites = request.sites.len();
         let size = (wanted.count(sites), working_bytes(sites, 1));
         let on_lattice = on_lattice(request, &lattice);
+        let loss = loss_per_step(string, Scheme::Lattice, on_lattice.sampling_frequency);
         Ok(Self {
-            rounds: Rounds::new(string, &on_lattice, (held::SAMPLING, false), size)?,
+            rounds: Rounds::new(string, &on_lattice, (held::SAMPLING, loss), size)?,
             string,
             request,
             wanted,
