@@ -113,9 +113,24 @@ impl Rounds {
         })
     }
 
+    /// The same for as many responses side by side as take no more than a number of bytes, on any
+    /// number of threads; one, at least.
+    pub(super) fn within(mut self, bytes: f64) -> Self {
+        let on_thread = std::mem::take(&mut self.on_thread);
+        while self.channels > 1 && self.need().peak > bytes {
+            self.channels -= 1;
+        }
+        Self { on_thread, ..self }
+    }
+
     /// Taps of each response, at most.
     pub(super) fn taps(&self) -> usize {
         self.longest.taps
+    }
+
+    /// Responses that are built side by side.
+    pub(super) fn channels(&self) -> usize {
+        self.channels
     }
 
     /// What the longest round takes.

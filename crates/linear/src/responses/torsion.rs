@@ -120,11 +120,7 @@ impl<'a> TorsionPlan<'a> {
             Lengths::Rounds(rounds) => rounds.need(),
             Lengths::Transform(buffers) => buffers.need(on_thread),
             Lengths::Known(_) => Need::lasting(self.bytes()),
-            // The trains go once the taps are there.
-            Lengths::Trains(plan) => Need {
-                kept: self.bytes(),
-                ..plan.need().then(Need::lasting(self.bytes()))
-            },
+            Lengths::Trains(plan) => plan.need(self.bytes()),
         }
     }
 
@@ -152,12 +148,7 @@ impl<'a> TorsionPlan<'a> {
     fn taps_of_all<'b>(&self, budget: &'b Budget) -> Result<Built<'b>, BuildError> {
         match &self.lengths {
             Lengths::Rounds(rounds) => self.built_in_rounds(rounds, budget),
-            Lengths::Trains(plan) => {
-                let (trains, memory) = plan.build_within(budget)?;
-                let built = self.taps_of_trains(&trains, budget);
-                drop(memory);
-                built
-            }
+            Lengths::Trains(plan) => plan.taps_within(budget),
             Lengths::Known(trains) => self.taps_of_trains(trains, budget),
             Lengths::Transform(buffers) => {
                 let need = self.need();
