@@ -158,7 +158,7 @@ fn build_as_planned(number: usize, method: &Method) {
 }
 
 /// No response of any string in a well, below a drive or none, takes more than its plan asks for
-/// (nor did any of 4000 strings by any method when the bound was derived).
+/// (nor did any of 3600 strings by any method when the bound was derived).
 #[test]
 fn val_no_response_outlasts_its_plan() {
     for number in 0..600 {
