@@ -30,11 +30,11 @@ const DECAYED: f64 = 29.0;
 /// How long responses are built, in taps, from round to round.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rounds {
-    /// Where they are looked at no further.
-    looked_at: f64,
+    /// The length beyond which they are not used.
+    used: f64,
     first: Round,
-    /// What goes on at its end is sampled in this way.
-    goes_on: Sampling,
+    /// How responses that continue beyond it are sampled.
+    continuing: Sampling,
     /// The longest that they may become.
     longest: Round,
     /// Responses that are built side by side.
@@ -59,27 +59,27 @@ pub(super) struct Built<'a> {
 
 impl Rounds {
     /// Of a number of responses, each of which asks for a number of bytes on a thread, that are
-    /// sampled in a way where they go on. Some `ring` for ever, however a string is damped.
+    /// sampled in a given way where they continue. Some `ring` for ever, with any damping.
     ///
     /// # Errors
     /// Where they last longer than responses may be.
     pub(super) fn new(
         string: &Drillstring,
         request: &Request,
-        (goes_on, ring): (Sampling, bool),
+        (continuing, ring): (Sampling, bool),
         (channels, on_thread): (usize, f64),
     ) -> Result<Self, BuildError> {
         let frequency = request.sampling_frequency;
-        let looked_at = looked_at(string, request.longest_time, frequency);
+        let used = used_taps(string, request.longest_time, frequency);
         let decayed = first_length(string, frequency)? as f64;
         // What nothing damps does not decay.
-        let decays = string.torsional_damping() > 0.0 && decayed <= WORTH_WHILE * looked_at;
-        let first = if decays { decayed } else { looked_at };
+        let decays = string.torsional_damping() > 0.0 && decayed <= WORTH_WHILE * used;
+        let first = if decays { decayed } else { used };
         let doubled_to = |length: f64| {
             let doublings = (length / first).log2().ceil().max(0.0);
             first * doublings.exp2()
         };
-        let last = doubled_to(looked_at).min(looked_at.max(MOST_TAPS as f64));
+        let last = doubled_to(used).min(used.max(MOST_TAPS as f64));
         let (longest, is_whole) = if string.torsional_damping() == 0.0 || ring {
             (last, false)
         } else {
@@ -88,16 +88,16 @@ impl Rounds {
             (doubled_to(lasts).min(most), decays && lasts <= most)
         };
         if first.max(longest) > MOST_TAPS as f64 {
-            return Err(too_many(looked_at.max(longest)));
+            return Err(too_many(used.max(longest)));
         }
         let round = |taps: f64, is_whole: bool| Round {
             taps: taps as usize,
-            sampling: if is_whole { Sampling::Once } else { goes_on },
+            sampling: if is_whole { Sampling::Once } else { continuing },
         };
         Ok(Self {
-            looked_at,
+            used,
             first: round(first, decays),
-            goes_on,
+            continuing,
             longest: round(longest, is_whole),
             channels,
             on_thread,
@@ -118,8 +118,8 @@ impl Rounds {
         quadrature::buffers(round.taps, self.channels, round.sampling).need(self.on_thread)
     }
 
-    /// Builds responses of growing length until they have decayed or are at least as long as
-    /// they are looked at; those that go on then are sampled as they ask for.
+    /// Builds responses of growing length until they have decayed or are at least as long as they
+    /// are used; those that then continue are sampled as they ask for.
     ///
     /// # Errors
     /// Where a round asks for more memory than is left, or they last longer than they may.
@@ -136,8 +136,8 @@ impl Rounds {
             let left = OF_ROUNDING * left_at_end(&taps);
             let negligible = NEGLIGIBLE_TAIL.max(left.min(rounding));
             let has_decayed = cut_decayed_tail(&mut taps, negligible);
-            let is_enough = round.taps as f64 >= self.looked_at;
-            if has_decayed || (is_enough && round.sampling == self.goes_on) {
+            let is_enough = round.taps as f64 >= self.used;
+            if has_decayed || (is_enough && round.sampling == self.continuing) {
                 return Ok(Built {
                     ending: if has_decayed {
                         Ending::Whole
@@ -149,12 +149,12 @@ impl Rounds {
                 });
             }
             if is_enough {
-                // What goes on after all was folded back.
-                round.sampling = self.goes_on;
+                // A response that continues after all was folded back.
+                round.sampling = self.continuing;
                 continue;
             }
             if round.taps == MOST_TAPS {
-                return Err(too_many(self.looked_at));
+                return Err(too_many(self.used));
             }
             round.taps = (2 * round.taps).min(MOST_TAPS);
             rounding = ROUNDING * round.taps as f64;
@@ -167,9 +167,9 @@ pub(super) fn bytes_of(responses: &[Vec<f64>]) -> f64 {
     REAL * responses.iter().map(Vec::len).sum::<usize>() as f64
 }
 
-/// Taps beyond which no response is looked at: neither by a simulation, which may take so
-/// long (s), nor for its undershoot.
-fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> f64 {
+/// Taps beyond which no response is used: neither by a simulation, which may take this long (s),
+/// nor for its undershoot.
+fn used_taps(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> f64 {
     let time = longest_time.max(undershoot_time(string));
     let taps = needed_taps(time, sampling_frequency);
     if taps > MOST_TAPS as f64 {
@@ -179,7 +179,7 @@ fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -
 }
 
 /// No motion in torsion dies away more slowly than this, 1/s: vibration loses at least
-/// what the damping takes of the heaviest tube, and what seeps has a time of its own.
+/// what the damping takes of the heaviest tube, and seepage has its own time.
 fn slowest_rate(string: &Drillstring) -> f64 {
     let heaviest = string
         .tubes()

@@ -22,8 +22,8 @@ use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
 use crate::waves::network::TorsionNetwork;
 
-/// A digital filter lasts at least so many time constants of what seeps along the
-/// string: its static stiffness is then right to a part in a thousand.
+/// A digital filter lasts at least this number of time constants of seepage along the string: its
+/// static stiffness is then right to a part in a thousand.
 const SEEPING_TIMES: f64 = 8.0;
 
 /// Torsional responses before they are built.
@@ -65,8 +65,8 @@ impl<'a> TorsionPlan<'a> {
         let channels = wanted.count(request.sites.len());
         let on_thread = working_bytes(request.sites.len(), 1);
         let rounds = |ring: bool| {
-            let goes_on = (Sampling::Close, ring);
-            Rounds::new(string, request, goes_on, (channels, on_thread)).map(Lengths::Rounds)
+            let continuing = (Sampling::Close, ring);
+            Rounds::new(string, request, continuing, (channels, on_thread)).map(Lengths::Rounds)
         };
         let lengths = match (method, trains) {
             (Method::Held, Some(trains)) => {

@@ -31,8 +31,8 @@ pub struct ImpulseTrains {
 }
 
 impl ImpulseTrains {
-    /// Those that a request for [`crate::Method::Held`] needs, whatever its sampling
-    /// frequency; `None` where it asks for no torsion.
+    /// Those that a request for [`crate::Method::Held`] needs, at any sampling frequency; `None`
+    /// where it asks for no torsion.
     ///
     /// # Errors
     /// As [`crate::responses()`].

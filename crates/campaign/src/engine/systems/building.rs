@@ -197,7 +197,7 @@ impl<'a> Recipe<'a> {
 }
 
 impl MethodSystem {
-    /// The system of responses, whoever made them, that were begun at a moment.
+    /// The system of given responses, whose building began at a moment.
     ///
     /// # Errors
     /// Where they are not those of a string.
