@@ -225,6 +225,12 @@ impl Reserved<'_> {
         self.bytes = 0.0;
     }
 
+    /// Both together, of one budget.
+    pub(crate) fn and(mut self, mut other: Self) -> Self {
+        self.bytes += std::mem::take(&mut other.bytes);
+        self
+    }
+
     /// Gives back what is more than a number of bytes.
     fn shrink(&mut self, bytes: f64) {
         let less = (self.bytes - bytes).max(0.0);
