@@ -202,7 +202,7 @@ impl Need {
     }
 
     /// Both pieces of work at the same time.
-    pub fn beside(self, other: Self) -> Self {
+    pub fn and(self, other: Self) -> Self {
         Self {
             peak: self.peak + other.peak,
             kept: self.kept + other.kept,

@@ -146,7 +146,7 @@ impl Weights {
     /// the z-Transform Method*, Wiley 1964), each of them linear in m, c and k: where they hold
     /// at the edges of a cone of (m, c, k), they hold within it. Its edges are what has
     /// no more than the least damping and stiffness, what has no inertia, and the infinitely
-    /// stiff, which keeps a step's share whatever the length of the step.
+    /// stiff, which keeps a step's share for any length of the step.
     pub(crate) fn least_loss(&self, least_damping: f64, least_stiffness: f64) -> f64 {
         let (damping, stiffness) = (self.step * least_damping, self.step * least_stiffness);
         let edges = [

@@ -37,13 +37,13 @@ const DECAYED: f64 = 21.7 / 0.75;
 /// How long responses are built, in taps, from round to round.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rounds {
-    /// Where they are looked at no further.
-    looked_at: f64,
-    /// Taps by which they have decayed, whatever their shape.
+    /// The length beyond which they are not used.
+    used: f64,
+    /// Taps by which they have decayed, for any shape.
     lasts: f64,
     first: Round,
-    /// What goes on at its end is sampled in this way.
-    goes_on: Sampling,
+    /// How responses that continue beyond it are sampled.
+    continuing: Sampling,
     /// The longest that they may become.
     longest: Round,
     /// Responses that are built side by side.
@@ -68,45 +68,45 @@ pub(super) struct Built<'a> {
 
 impl Rounds {
     /// Of a number of responses, each of which asks for a number of bytes on a thread, that are
-    /// sampled in a way where they go on. Each of their motions loses at least `loss` in a step
-    /// ([`super::slowest`]); `None` where some go on for ever.
+    /// sampled in a given way where they continue. Each of their motions loses at least `loss` in a
+    /// step ([`super::slowest`]); `None` where some never decay.
     ///
     /// # Errors
     /// Where they last longer than responses may be.
     pub(super) fn new(
         string: &Drillstring,
         request: &Request,
-        (goes_on, loss): (Sampling, Option<f64>),
+        (continuing, loss): (Sampling, Option<f64>),
         (channels, on_thread): (usize, f64),
     ) -> Result<Self, BuildError> {
         let frequency = request.sampling_frequency;
-        let looked_at = looked_at(string, request.longest_time, frequency);
+        let used = used_taps(string, request.longest_time, frequency);
         let decayed = first_length(string, frequency)? as f64;
         // What nothing damps does not decay.
-        let decays = string.torsional_damping() > 0.0 && decayed <= WORTH_WHILE * looked_at;
-        let first = if decays { decayed } else { looked_at };
+        let decays = string.torsional_damping() > 0.0 && decayed <= WORTH_WHILE * used;
+        let first = if decays { decayed } else { used };
         let doubled_to = |length: f64| {
             let doublings = (length / first).log2().ceil().max(0.0);
             first * doublings.exp2()
         };
-        let last = doubled_to(looked_at).min(looked_at.max(MOST_TAPS as f64));
+        let last = doubled_to(used).min(used.max(MOST_TAPS as f64));
         let lasts = loss.map_or(f64::INFINITY, |loss| DECAYED / loss);
         let longest = match loss {
             None => last,
             Some(_) => doubled_to(lasts).min(last).min(MOST_TAPS as f64),
         };
         if first.max(longest) > MOST_TAPS as f64 {
-            return Err(too_many(looked_at.max(longest)));
+            return Err(too_many(used.max(longest)));
         }
         let round = |taps: f64, is_whole: bool| Round {
             taps: taps as usize,
-            sampling: if is_whole { Sampling::Once } else { goes_on },
+            sampling: if is_whole { Sampling::Once } else { continuing },
         };
         Ok(Self {
-            looked_at,
+            used,
             lasts,
             first: round(first, decays),
-            goes_on,
+            continuing,
             longest: round(longest, decays && lasts <= longest),
             channels,
             on_thread,
@@ -142,8 +142,8 @@ impl Rounds {
         quadrature::buffers(round.taps, self.channels, round.sampling).need(self.on_thread)
     }
 
-    /// Builds responses of growing length until they have decayed or are at least as long as
-    /// they are looked at; those that go on then are sampled as they ask for.
+    /// Builds responses of growing length until they have decayed or are at least as long as they
+    /// are used; those that then continue are sampled as they ask for.
     ///
     /// # Errors
     /// Where a round asks for more memory than is left, or they last longer than they may.
@@ -163,8 +163,8 @@ impl Rounds {
             }
             let negligible = NEGLIGIBLE_TAIL.max(left.min(rounding));
             let has_decayed = cut_decayed_tail(&mut taps, negligible);
-            let is_enough = round.taps as f64 >= self.looked_at;
-            if has_decayed || (is_enough && round.sampling == self.goes_on) {
+            let is_enough = round.taps as f64 >= self.used;
+            if has_decayed || (is_enough && round.sampling == self.continuing) {
                 return Ok(Built {
                     ending: if has_decayed {
                         Ending::Whole
@@ -176,12 +176,12 @@ impl Rounds {
                 });
             }
             if is_enough {
-                // What goes on after all was folded back.
-                round.sampling = self.goes_on;
+                // A response that continues after all was folded back.
+                round.sampling = self.continuing;
                 continue;
             }
             if round.taps == MOST_TAPS {
-                return Err(too_many(self.looked_at));
+                return Err(too_many(self.used));
             }
             round.taps = (2 * round.taps).min(MOST_TAPS);
             rounding = ROUNDING * round.taps as f64;
@@ -194,9 +194,9 @@ pub(super) fn bytes_of(responses: &[Vec<f64>]) -> f64 {
     REAL * responses.iter().map(Vec::len).sum::<usize>() as f64
 }
 
-/// Taps beyond which no response is looked at: neither by a simulation, which may take so
-/// long (s), nor for its undershoot.
-fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> f64 {
+/// Taps beyond which no response is used: neither by a simulation, which may take this long (s),
+/// nor for its undershoot.
+fn used_taps(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> f64 {
     let time = longest_time.max(undershoot_time(string));
     let taps = needed_taps(time, sampling_frequency);
     if taps > MOST_TAPS as f64 {

@@ -31,8 +31,8 @@ pub(super) enum Scheme {
     Trapezoidal,
 }
 
-/// What any motion loses in each step at least, as the logarithm of what it was over what is left:
-/// 0 where no such number is known, `None` where some motion goes on for ever.
+/// The least loss of any motion in a step, as the logarithm of its amplitude before over that
+/// after: 0 where no such number is known, `None` where some motion never decays.
 pub(super) fn loss_per_step(
     string: &Drillstring,
     scheme: Scheme,
@@ -45,7 +45,7 @@ pub(super) fn loss_per_step(
     let rate = vibrates.min(seeps) / sampling_frequency;
     match scheme {
         Scheme::Trapezoidal => None,
-        // A drive without damping of its own.
+        // A drive without its own damping.
         _ if rate == 0.0 => Some(0.0),
         // Each piece takes the same part of every wave.
         Scheme::Lattice => Some(rate),

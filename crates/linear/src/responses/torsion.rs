@@ -23,8 +23,8 @@ use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
 use crate::waves::network::TorsionNetwork;
 
-/// A digital filter lasts at least so many time constants of what seeps along the
-/// string: its static stiffness is then right to a part in a thousand.
+/// A digital filter lasts at least this number of time constants of seepage along the string: its
+/// static stiffness is then right to a part in a thousand.
 const SEEPING_TIMES: f64 = 8.0;
 
 /// Torsional responses before they are built.
@@ -67,8 +67,8 @@ impl<'a> TorsionPlan<'a> {
         let on_thread = working_bytes(request.sites.len(), 1);
         let rounds = |scheme: Scheme| {
             let loss = loss_per_step(string, scheme, request.sampling_frequency);
-            let goes_on = (Sampling::Close, loss);
-            Rounds::new(string, request, goes_on, (channels, on_thread)).map(Lengths::Rounds)
+            let continuing = (Sampling::Close, loss);
+            Rounds::new(string, request, continuing, (channels, on_thread)).map(Lengths::Rounds)
         };
         let lengths = match (method, trains) {
             (Method::Held, Some(trains)) => {

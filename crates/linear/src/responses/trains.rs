@@ -34,8 +34,8 @@ pub struct ImpulseTrains {
 }
 
 impl ImpulseTrains {
-    /// Those that a request for [`crate::Method::Held`] needs, whatever its sampling
-    /// frequency; `None` where it asks for no torsion.
+    /// Those that a request for [`crate::Method::Held`] needs, at any sampling frequency; `None`
+    /// where it asks for no torsion.
     ///
     /// # Errors
     /// As [`crate::responses()`].
@@ -96,10 +96,10 @@ fn taps_of_each(trains: &[Vec<f64>], spacing: f64) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// Trains are made of so many bytes at a time. A lattice has thousands of steps in a travel time: of
-/// a string that rubs, trains between twenty nodes take a hundred times as much as the taps that are
-/// kept of them. The number is the same on any machine and under any limit of memory, as taps are:
-/// trains that are made apart are cut where each of them has decayed.
+/// Trains are made of this number of bytes at a time. A lattice has thousands of steps in a travel
+/// time: of a string that rubs, trains between twenty nodes take a hundred times as much as the
+/// taps that are kept of them. The number is the same on any machine and under any limit of memory,
+/// as taps are: trains that are made apart are cut where each of them has decayed.
 const AT_A_TIME: f64 = (1u64 << 30) as f64;
 
 /// Trains of impulses before they are built.

@@ -24,7 +24,7 @@ impl<'a> Wanted<'a> {
         }
     }
 
-    /// How many responses there are, of so many sites.
+    /// How many responses there are, for a number of sites.
     pub(super) fn count(self, sites: usize) -> usize {
         match self {
             Wanted::Sites { torques } => sites * (1 + torques.len()),

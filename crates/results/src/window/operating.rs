@@ -44,7 +44,7 @@ impl OperatingWindow {
     }
 }
 
-/// Keys of what turns, bends and stands around the string: limits of others are none of this one.
+/// Keys of what turns, bends and surrounds the string: limits for other values do not apply.
 const OF_STRING: [&str; 8] = [
     "string",
     "top_drive",

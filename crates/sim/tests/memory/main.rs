@@ -23,7 +23,7 @@ const KEPT_BY_THREADS: f64 = 2.0 * 1024.0 * 1024.0;
 /// What is asked for, at most, as a multiple of what is taken. It is asked for transforms of lengths
 /// that do not factorise: up to 60 bytes a sample, where others take 8 for their output, and a thread
 /// may have the plan already. Of C responses each sample takes 8C bytes for spectra, 8 for one of
-/// them, and a quarter of C responses is kept: (8C + 68 + 2C)/(8C + 16 + 2C), 1.93 with C = 4. Of the
+/// them, and a quarter of responses that continue is kept: (8C + 68 + 2C)/(8C + 16 + 2C), 1.93 with C = 4. Of the
 /// margin of two sites it takes 8 for each of three pairs, and 8 for an input: (24 + 40)/(24 + 8).
 /// Simulators have more series to each transform than either.
 const MOST_ASKED: f64 = 2.0;
