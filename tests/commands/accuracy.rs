@@ -245,7 +245,7 @@ fn what_is_given_last_replaces_the_other_and_both_at_once_are_refused() {
         place.write("both.toml", both);
         let answer = place.sweep(&["run", "both.toml"]);
         assert_eq!(answer.code, 2);
-        let meant = format!("both.toml:2: `accuracy`: is given instead of `{key}`");
+        let meant = format!("both.toml:2: `accuracy`: conflicts with `{key}`: give only one");
         assert!(answer.errors.contains(&meant), "{answer:?}");
     }
 }

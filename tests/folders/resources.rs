@@ -327,7 +327,7 @@ fn an_accuracy_that_takes_too_much_memory_says_so() {
     let text = with(&text, "methods = [\"quadrature\"]", "accuracy = \"0.1 %\"");
     let place = Workplace::with_small(&text);
     let words = [
-        "small.toml:5: `accuracy`: 0.1 % cannot be told",
+        "small.toml:5: `accuracy`: 00.1 % cannot be estimated",
         " Hz the reference is too large for the memory: ",
         "more than 2 MiB, given by --memory",
     ];

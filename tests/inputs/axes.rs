@@ -386,7 +386,7 @@ fn an_axis_of_what_is_not_there_is_refused() {
         .collect::<String>();
     for (text, axis, meant) in [
         (bare, "torque_static_ratio", "needs a table [bit]"),
-        (bare, "rock_friction", "needs a rock with a law of its own"),
+        (bare, "rock_friction", "needs a rock with `law`"),
         (
             &without_cleaning,
             "rock_poor_cleaning_from_kn",

@@ -80,11 +80,7 @@ fn a_sheet_and_sections_replace_one_another_over_a_base() {
     assert_eq!(answer.code, 0, "{answer:?}");
     assert!(answer.output.contains("1045.000 m"), "{}", answer.output);
     // Ignored columns are reported.
-    assert!(
-        answer
-            .errors
-            .contains("columns that say nothing here: `thread`")
-    );
+    assert!(answer.errors.contains("ignored columns: `thread`"));
     place.write("other.toml", sweep("file = \"bha.csv\""));
     place.write("small.toml", format!("base = \"other.toml\"\n{sections}"));
     let answer = place.sweep(&["inspect", "small.toml", "--out", "looked"]);
@@ -167,7 +163,7 @@ fn mistakes_in_a_sheet_are_refused_with_file_and_line() {
         ("order = \"from-bit\"", "small.toml:9: `string.order`"),
         (
             "sections = []\nfile = \"a.csv\"",
-            "small.toml:10: `file`: is given instead of `sections`",
+            "small.toml:10: `file`: conflicts with `sections`: give only one",
         ),
     ] {
         refused(&Workplace::with_small(&sweep(string)), &RUN, &[words]);

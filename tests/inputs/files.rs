@@ -113,7 +113,7 @@ fn surveys_that_may_mean_two_things_are_refused() {
         ),
         (
             "MD (yd),Inc,Azi\n0,0,0\n2500,30,0\n",
-            "survey.csv:1: `MD (yd)`: `yd` is none of the units known here: m, ft,",
+            "survey.csv:1: `MD (yd)`: `yd` is not one of the known units: m, ft,",
         ),
         (
             "TVD (m),Inc,Azi\n0,0,0\n2500,30,0\n",
@@ -308,20 +308,20 @@ fn sheets_are_read_as_people_have_them_and_the_right_way_up() {
     let (found, reported) = sheet(&wordy);
     assert_eq!(found, expected);
     assert!(
-        reported.contains("columns that say nothing here: `Remarks`"),
+        reported.contains("ignored columns: `Remarks`"),
         "{reported}"
     );
     let (found, reported) = sheet(&format!("{FROM_SURFACE}Total,112,,,1047.5,\n"));
     assert_eq!(found, expected);
     assert!(
-        reported.contains("note: bha.csv:6: a total, passed over"),
+        reported.contains("note: bha.csv:6: a total, ignored"),
         "{reported}"
     );
     let (marked, _) = sheet(&FROM_SURFACE.replace("\nStabilizer,", "\n\"#2 Stabilizer\","));
     assert!(marked.contains("1 × 2.000 m, #2 Stabilizer"), "{marked}");
     let (_, reported) = sheet(&FROM_SURFACE.replace("\nStabilizer,1,8", "\n#Stabilizer,1,8"));
     assert!(
-        reported.contains("note: bha.csv:4: 1 line below the headings passed over as comments"),
+        reported.contains("note: bha.csv:4: 1 1 line below the headings ignored as comments"),
         "{reported}"
     );
 }
@@ -343,7 +343,7 @@ fn sheets_that_may_mean_two_things_are_refused_or_doubted() {
     );
     refused(
         &FROM_SURFACE.replace("weight_kg", "Weight (stone)"),
-        "bha.csv:1: `Weight (stone)`: `stone` is none of the units known here: kg, lb",
+        "bha.csv:1: `Weight (stone)`: `stone` is not one of the known units: kg, lb",
     );
     refused(
         &FROM_SURFACE.replace("Drill Collar,10,8,3,95,", "Drill Collar,10,8,3,9.5,"),
@@ -390,9 +390,9 @@ fn tables_without_effect_are_noted_and_doubtful_bits_warned_of() {
         answer.output
     );
     for words in [
-        "note: [mud] changes nothing here",
-        "note: `well.survey` changes nothing here",
-        "note: the hole of [well] changes nothing here",
+        "note: [mud] has no effect without",
+        "note: `well.survey` has no effect without",
+        "note: the hole of [well] has no effect without",
     ] {
         assert!(answer.errors.contains(words), "{words}: {}", answer.errors);
     }

@@ -7,6 +7,7 @@ mod layout;
 mod names;
 mod snippets;
 mod structure;
+mod words;
 
 #[allow(dead_code, reason = "other test programs use more of it")]
 #[path = "../support/mod.rs"]

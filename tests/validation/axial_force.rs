@@ -218,7 +218,7 @@ fn an_invalid_hole_is_reported_by_its_key() {
         (
             "{ from_m = 0, to_m = 400, hole_radius_m = 0.2 }]\nhole_radius_m = 0.2 #".to_owned(),
             "hole_radius_m",
-            "instead of `holes`, not beside it",
+            "conflicts with `holes`: give only one",
         ),
         (
             upper.to_owned(),

@@ -426,7 +426,7 @@ fn what_is_wrong_is_refused_with_its_place() {
         (
             with("pieces = 8", "pieces = 8\ntolerance = 0.01"),
             "",
-            "sweep.toml:21: `tolerance`: is given instead of `pieces`",
+            "sweep.toml:21: `tolerance`: conflicts with `pieces`: give only one",
         ),
         (
             with("pieces = 8", "tolerance = 0.5"),

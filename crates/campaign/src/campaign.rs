@@ -46,7 +46,7 @@ pub struct Run<'a> {
 
 impl Campaign {
     /// Opens a sweep file, whose text and those of the files it names `text_of` gives, with these
-    /// methods, if there are any, in place of its own.
+    /// methods, if there are any, instead of the file's.
     ///
     /// # Errors
     /// Where it does not make sense.

@@ -5,8 +5,8 @@ use anyhow::Result;
 use thiserror::Error;
 
 use crate::engine::{
-    Case, CaseError, Choice, ChoiceError, ChosenCase, FollowedMethod, Instability, MethodSystem,
-    Recipe, RunOptions, Simulation, Survey, answer, common_setting,
+    Case, CaseChoice, CaseError, ChoiceError, ChosenCase, FollowedMethod, Instability,
+    MethodSystem, Recipe, RunOptions, Simulation, Survey, answer, common_setting,
 };
 use crate::memory::{Limit, Purpose, admit};
 use crate::plan::Sweep;
@@ -36,7 +36,9 @@ impl ChosenCases {
         set: &[(Axis, f64)],
         methods: &[usize],
     ) -> Result<Result<Self, Vec<Record>>, ChoiceError> {
-        let choices = cases.iter().map(|&index| Choice::new(sweep, index, set));
+        let choices = cases
+            .iter()
+            .map(|&index| CaseChoice::new(sweep, index, set));
         let choices = choices.collect::<Result<Vec<_>, _>>()?;
         let setting = match common_setting(sweep, &choices)? {
             Ok(setting) => setting,
@@ -131,7 +133,7 @@ pub struct Following<'a> {
 
 impl Following<'_> {
     /// How a run steps cases of this sweep. Where all share a string, a run refuses a method that
-    /// chatters before any row: what it would do can be looked at here.
+    /// chatters before any row: what it would do can be seen here.
     fn options(&self, sweep: &Sweep) -> RunOptions {
         RunOptions {
             allow_unstable: self.options.allow_unstable || !sweep.design.varies_string(),
@@ -183,7 +185,7 @@ pub enum FollowError {
     /// Cases or methods have not all the same sites, where these are found.
     #[error(
         "`sites = \"auto\"` finds other sites for other cases and methods, which cannot be drawn \
-         beside each other"
+         together"
     )]
     DifferentSites,
     /// No wall can be at a site that was found.
@@ -192,7 +194,8 @@ pub enum FollowError {
     /// A case makes no sense at the sites that were found.
     #[error(transparent)]
     Case(#[from] CaseError),
-    /// A case has no answer after all, or a method none at a place that is only looked at.
+    /// A case has no answer after all, or a method does not have one at a place that is only
+    /// observed.
     #[error("{0:#}")]
     Motion(anyhow::Error),
 }

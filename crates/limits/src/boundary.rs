@@ -248,7 +248,7 @@ pub fn exact_stick_slip_limit(sweep: &Sweep, weights: [f64; 2]) -> Result<Bounda
 }
 
 /// The limit of whirl between two surface speeds (rpm), of the string and the walls as the sweep
-/// file has them, whatever its design varies; without points where it has no wall.
+/// file has them, for any design; without points where it has no wall.
 ///
 /// # Errors
 /// Where a site is not on the string.

@@ -50,9 +50,9 @@ impl Method {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Transform {
-    /// Length of the discrete Fourier transform; its inverse is the frequency resolution. Half
-    /// of it becomes taps by `hilbert`, all of it by `direct-idft`. Left out, as long as the
-    /// response lasts.
+    /// Length of the discrete Fourier transform; its inverse is the frequency resolution. Half of
+    /// it becomes the impulse response by `hilbert`, all of it by `direct-idft`. Left out, as long
+    /// as the response lasts.
     #[cfg_attr(feature = "schema", schemars(range(min = 0.01, max = 1e5)))]
     #[serde(rename = "transform_s")]
     pub seconds: Option<f64>,

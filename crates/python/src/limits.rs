@@ -43,7 +43,7 @@ pub fn limits<'py>(
 /// columns.
 ///
 /// # Errors
-/// Where the speeds are none.
+/// Where the speeds are invalid.
 pub fn whirl_limits<'py>(
     py: Python<'py>,
     sweep: &ReadSweep,

@@ -38,15 +38,15 @@ pub struct ReadSweep {
     pub lines: Lines,
     /// Where it is, or would be.
     pub path: PathBuf,
-    /// The methods that take the place of its own.
+    /// The methods that replace its own.
     pub methods: Vec<String>,
     /// The texts of all files that were read for it.
     pub texts: Texts,
 }
 
 impl ReadSweep {
-    /// Reads a sweep file, with these methods in place of its own; of files whose texts are given
-    /// none is read.
+    /// Reads a sweep file, with these methods instead of the file's; files whose texts are given
+    /// are not read.
     ///
     /// # Errors
     /// Where it does not make sense.
@@ -111,7 +111,7 @@ impl ReadSweep {
             .ok_or_else(|| {
                 let known = names.join(", ");
                 refused(format_args!(
-                    "`{name}` is none of the sweep's methods: {known}"
+                    "`{name}` is not one of the sweep's methods: {known}"
                 ))
             })
     }

@@ -22,10 +22,10 @@ use crate::read::ReadSweep;
 use crate::table::{Column, by_name, columns};
 use crate::wait::{wait_for, watch};
 
-/// What a row takes beside its values, bytes: its record, and its fields in the table.
+/// What a row takes in addition to its values, bytes: its record, and its fields in the table.
 const ROW: usize = size_of::<Record>() + 32 * size_of::<f64>();
 
-/// How far a run is, for whoever looks at it.
+/// How far a run is, for display.
 #[derive(Default)]
 struct Progress {
     done: AtomicUsize,
@@ -36,7 +36,7 @@ struct Progress {
 }
 
 impl Progress {
-    fn told(&self) -> (usize, usize) {
+    fn counts(&self) -> (usize, usize) {
         let [done, wanted] = [&self.done, &self.wanted].map(|it| it.load(Ordering::Relaxed));
         (done, wanted)
     }
@@ -96,11 +96,11 @@ pub fn run<'py>(
         progress: Arc::clone(&shared),
     };
     let look = || match &progress {
-        Some(progress) => progress.call1(shared.told()).map(drop),
+        Some(progress) => progress.call1(shared.counts()).map(drop),
         None => Ok(()),
     };
     let made = watch(py, move || pool.install(|| running.table()), &look);
-    // Whoever asked for it does not wait any more.
+    // The caller does not wait any more.
     shared.stops.store(true, Ordering::Relaxed);
     let table = made?.map_err(|error| sweep.lines.any_error(py, &error))?;
     by_name(py, table)
@@ -183,8 +183,8 @@ fn pool_of(py: Python<'_>, threads: Option<usize>) -> PyResult<ThreadPool> {
         Some(threads) => asked_threads(threads)
             .map_err(|reason| refused(format_args!("threads {threads}: {reason}")))?,
         None => {
-            let (count, passed_over) = allotted_threads();
-            for doubt in passed_over {
+            let (count, ignored) = allotted_threads();
+            for doubt in ignored {
                 warn(py, doubt)?;
             }
             count

@@ -110,7 +110,7 @@ fn in_words(py: Python<'_>, sweep: &ReadSweep, error: Refusal) -> PyErr {
         Refusal::Choice(ChoiceError::File(error)) | Refusal::Following(Sites(error)) => {
             sweep.lines.file_error(py, &error)
         }
-        Refusal::Choice(ChoiceError::Beside(reason)) => sweep.about_file(reason),
+        Refusal::Choice(ChoiceError::SharedString(reason)) => sweep.about_file(reason),
         Refusal::Choice(error) => refused(error),
         Refusal::Following(Memory(error) | Systems(error) | Motion(error)) => {
             sweep.lines.any_error(py, &error)
@@ -119,7 +119,7 @@ fn in_words(py: Python<'_>, sweep: &ReadSweep, error: Refusal) -> PyErr {
     }
 }
 
-/// What a case comes to.
+/// A case that was followed to its end.
 struct Seen {
     record: Record,
     motion: Option<Motion>,

@@ -26,7 +26,7 @@ pub struct Sweep(ReadSweep);
 
 #[pymethods]
 impl Sweep {
-    /// Reads a sweep file, with these methods in place of its own.
+    /// Reads a sweep file, with these methods instead of the file's.
     #[staticmethod]
     #[pyo3(signature = (path, *, methods = None))]
     fn read(py: Python<'_>, path: PathBuf, methods: Option<Vec<String>>) -> PyResult<Self> {

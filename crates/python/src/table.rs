@@ -10,7 +10,7 @@ use pyo3::types::{PyDict, PyNone, PyString};
 
 use crate::arrays::vector;
 
-/// A column; what a row does not have is none, or not a number.
+/// A column; missing values are `None`, or NaN.
 pub enum Column {
     /// Names.
     Text(Vec<Option<String>>),

@@ -123,10 +123,10 @@ def test_as_many_threads_run_as_slurm_allots(monkeypatch):
     assert threads_of_a_run("6") - threads_of_a_run("2") == 4
 
 
-def test_what_slurm_cannot_mean_is_warned_of_and_passed_over(monkeypatch):
+def test_impossible_values_of_slurm_are_ignored_with_a_warning(monkeypatch):
     monkeypatch.setenv("SLURM_CPUS_PER_TASK", "many")
     sweep = ds.Sweep.read("sweeps/fig09.toml", methods=["held"])
-    with pytest.warns(ds.DrillstringWarning, match='SLURM_CPUS_PER_TASK="many" is passed over'):
+    with pytest.warns(ds.DrillstringWarning, match='SLURM_CPUS_PER_TASK="many" is ignored'):
         sweep.run()
 
 
@@ -219,7 +219,7 @@ weight_on_bit_kn = { from = 20, to = 80, count = 6 }
 
 
 def written(tmp_path, text):
-    """A sweep file of its own."""
+    """A separate sweep file."""
     file = tmp_path / "own.toml"
     file.write_text(text.replace('base = "', f'base = "{os.getcwd()}/sweeps/'))
     return file

@@ -49,7 +49,7 @@ fn an_impossible_number_of_cores_is_ignored_with_a_warning() {
         let output = command.env(name, value).output().unwrap();
         let errors = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(0), "{errors}");
-        let meant = format!("warning: {name}=\"{value}\" is passed over: ");
+        let meant = format!("warning: {name}=\"{value}\" is ignored: ");
         assert!(errors.starts_with(&meant), "{errors}");
     }
     // As many as asked for leave no question to the cluster.
@@ -70,7 +70,7 @@ fn an_impossible_amount_of_memory_is_ignored_with_a_warning() {
         errors
     };
     for value in ["8G", "-1", "nan", "inf", "1e308"] {
-        let meant = format!("warning: SLURM_MEM_PER_NODE=\"{value}\" is passed over: ");
+        let meant = format!("warning: SLURM_MEM_PER_NODE=\"{value}\" is ignored: ");
         let errors = errors(value, &[]);
         assert!(errors.starts_with(&meant), "{errors}");
         assert_eq!(errors.lines().count(), 1, "{errors}");

@@ -99,7 +99,7 @@ impl Responses {
     /// They are those from step to step; by `held`, whose wall is met in the middle of a
     /// step, those from its beginning, which are its mean speed. By `hilbert` that is the
     /// method's own derivative too; by `quadrature` the margin stays positive; Newmark's
-    /// scheme has a velocity of its own, a part of a step ahead, and this margin may be
+    /// scheme has its own velocity, a fraction of a step ahead, and this margin may be
     /// below zero where [`Self::bending_margin`] is not.
     ///
     /// # Errors

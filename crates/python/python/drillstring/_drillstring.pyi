@@ -29,6 +29,7 @@ __all__ = [
     "Simulation",
     "Sweep",
     "SweepFileError",
+    "_analyse",
 ]
 
 class DrillstringError(Exception): ...

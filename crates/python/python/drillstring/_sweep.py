@@ -51,7 +51,7 @@ class Sweep:
 
     @classmethod
     def read(cls, path: str | PathLike[str], *, methods: Sequence[str] | None = None) -> Sweep:
-        """Read a sweep file, with these methods in place of its own."""
+        """Read a sweep file, with these methods instead of the file's."""
         return cls._of(_Sweep.read(path, methods=methods))
 
     @classmethod
@@ -174,7 +174,7 @@ class Sweep:
 
     def whirl_limits(self, least_rpm: float, most_rpm: float) -> dict[str, NDArray[Any]]:
         """The friction that sustains whirl between two surface speeds, by the same columns, of the
-        string and walls as the file has them, whatever its design varies. No rows without a wall.
+        string and walls as the file has them, for any design. No rows without a wall.
         """
         return self._sweep._whirl_limits(least_rpm, most_rpm)
 
@@ -221,7 +221,7 @@ class Sweep:
         """Run every case by every method, as ``sweep run`` does.
 
         ``threads`` are as many as Slurm allots, or as there are cores, where none are given.
-        ``progress`` is told, ten times a second, how many simulations are done, and of how many.
+        ``progress`` is called ten times a second with the number of simulations done and their total.
         Ctrl-C and what it raises end the run.
         """
         return Table(

@@ -66,8 +66,8 @@ fn names(axes: &[Axis]) -> String {
 }
 
 impl Analysis {
-    /// Of the tables of at least one of these folders, with counts over each set of axes in `by`, an axis of
-    /// more than a few values in so many `ranges`.
+    /// Of the tables of at least one of these folders, with counts over each set of axes in `by`,
+    /// an axis of more than a few values in this number of `ranges`.
     ///
     /// # Errors
     /// Where the folders are no parts of one sweep, or their cases cannot be counted so.
@@ -124,8 +124,8 @@ fn reject_foreign_folders(folders: &[PathBuf], tables: &[ResultTables]) -> Resul
     Ok(())
 }
 
-/// The counts over each set of axes, of so many ranges of an axis that has more than a few values.
-/// Tables are parts of one sweep.
+/// The counts over each set of axes, in the given number of ranges of an axis that has more than a
+/// few values. The tables are shards of one sweep.
 ///
 /// # Errors
 /// Where the tables cannot be read.

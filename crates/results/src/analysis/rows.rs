@@ -157,7 +157,7 @@ impl IndexRow<'_> {
     }
 }
 
-/// The indices of what can be told: a row for each method, quantity and axis.
+/// The indices that are determined: a row for each method, quantity and axis.
 pub fn index_rows<'a>(axes: &[Axis], methods: &'a [MethodBlocks]) -> Vec<IndexRow<'a>> {
     let mut rows = Vec::new();
     for of_method in methods {

@@ -25,8 +25,8 @@ pub enum NoResults {
     Nothing(PathBuf),
     /// Its run has no case yet.
     #[error(
-        "{} holds a run that has only just begun ({LOG}): the same `sweep run` as before goes on \
-         with it",
+        "{} holds a run that has only just begun ({LOG}): the same `sweep run` as before \
+         continues it",
         .0.display()
     )]
     JustBegun(PathBuf),
@@ -35,7 +35,7 @@ pub enum NoResults {
     Unreadable(anyhow::Error),
 }
 
-/// Refuses a folder that is none, or has neither results nor a log.
+/// Refuses a path that is no folder, or a folder with neither results nor a log.
 ///
 /// # Errors
 /// What is missing.

@@ -185,7 +185,7 @@ impl Chart {
     }
 }
 
-/// The ends of a range, all edges inside it, and so many more that no cell is too large.
+/// The ends of a range, all edges inside it, and enough more that no cell is too large.
 fn edges([least, most]: [f64; 2], all: impl Iterator<Item = f64>) -> Vec<f64> {
     let width = most - least;
     let room = SAME_PLACE * width;

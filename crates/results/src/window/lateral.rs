@@ -5,9 +5,9 @@ use linear::Sites;
 use linear::natural_frequencies::held_lateral_frequencies_below;
 
 use super::analytic::{Resonance, above_speed, near_resonances};
+use super::asked::WindowAsked;
 use super::chart::{Drawn, Source};
 use super::error::WindowError;
-use super::operating::WindowAsked;
 use campaign::plan::{LateralSettings, Sweep, WallSettings};
 use campaign::quantities::{Axis, LENGTH, WallQuantity};
 use campaign::words::short;

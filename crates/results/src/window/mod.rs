@@ -7,6 +7,7 @@
 //! folders of its string (`of_folders`, `lateral`).
 
 mod analytic;
+mod asked;
 mod best;
 mod chart;
 mod error;
@@ -17,10 +18,11 @@ mod regions;
 mod simulated;
 mod standing;
 
+pub use asked::WindowAsked;
 pub use best::{Best, Room};
 pub use chart::{Chart, Drawn, Limit, WINDOW_COLUMNS};
 pub use error::WindowError;
-pub use operating::{OperatingWindow, WindowAsked};
+pub use operating::OperatingWindow;
 pub use regions::Region;
 pub use simulated::AXES;
 pub use standing::Standing;

@@ -6,9 +6,9 @@ use anyhow::Context;
 use sim::Motion;
 
 use super::analytic::below_curves;
+use super::asked::WindowAsked;
 use super::chart::{Drawn, Source};
 use super::error::WindowError;
-use super::operating::WindowAsked;
 use super::simulated::{AXES, Simulated, simulated};
 use crate::folder::{Manifest, ResultTables};
 use campaign::plan::Sweep;

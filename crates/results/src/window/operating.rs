@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::asked::WindowAsked;
 use super::chart::Chart;
 use super::error::WindowError;
 use super::lateral;
@@ -10,22 +11,6 @@ use super::of_folders;
 use super::simulated::AXES;
 use crate::folder::{ResultTables, differences};
 use campaign::plan::Sweep;
-
-/// What is asked of an operating window.
-#[derive(Debug, Clone, PartialEq)]
-pub struct WindowAsked {
-    /// What shakes the string sideways, in multiples of its surface speed.
-    pub orders: Vec<f64>,
-    /// Places that hold the string sideways, from the bit, in m or, with field units, ft; where
-    /// there are none, the sites of the file.
-    pub held_at: Option<Vec<f64>>,
-    /// The part by which a critical speed and the wall's friction may be off.
-    pub margin: f64,
-    /// Of random cases, the part with vibration up to which a cell is safe.
-    pub risk: f64,
-    /// Ranges of either axis that random cases are counted in.
-    pub bins: usize,
-}
 
 /// An operating window.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,7 +44,7 @@ impl OperatingWindow {
     }
 }
 
-/// Keys of what turns, bends and stands around the string: limits of others are none of this one.
+/// Keys of what turns, bends and surrounds the string: limits for other values do not apply.
 const OF_STRING: [&str; 8] = [
     "string",
     "top_drive",

@@ -21,7 +21,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use sim::Label;
 
-use campaign::allotted::PassedOver;
+use campaign::allotted::IgnoredSetting;
 use campaign::engine::{RunOptions, Shard};
 use campaign::memory::{Limit, Size};
 use campaign::quantities::Axis;
@@ -301,8 +301,8 @@ impl MemoryArguments {
     }
 
     /// What was given as a limit but is not a valid one.
-    pub fn passed_over(&self) -> Option<PassedOver> {
-        Limit::passed_over(self.memory)
+    pub fn ignored(&self) -> Option<IgnoredSetting> {
+        Limit::ignored(self.memory)
     }
 }
 

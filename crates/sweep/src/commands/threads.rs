@@ -17,8 +17,8 @@ pub fn use_threads(jobs: Option<usize>, terminal: Terminal) -> Result<()> {
             asked_threads(jobs).map_err(|reason| UsageError(format!("--jobs {jobs}: {reason}")))?
         }
         None => {
-            let (threads, passed_over) = allotted_threads();
-            for doubt in passed_over {
+            let (threads, ignored) = allotted_threads();
+            for doubt in ignored {
                 terminal.complain(&format!("warning: {doubt}"));
             }
             threads

@@ -11,7 +11,7 @@ use results::log::Log;
 
 /// Warns of an amount of memory that the cluster allots and cannot mean.
 pub fn warn_of_memory(memory: &MemoryArguments, terminal: Terminal) {
-    if let Some(doubt) = memory.passed_over() {
+    if let Some(doubt) = memory.ignored() {
         terminal.complain(&format!("warning: {doubt}"));
     }
 }

@@ -122,10 +122,10 @@ impl TracedMap<'_> {
             let bands = methods
                 .clone()
                 .map(|method| self.limits.band_of(method, motion, tile));
-            let answered: Vec<Band> = bands.filter(|band| band.told > 0).collect();
+            let answered: Vec<Band> = bands.filter(|band| band.classified > 0).collect();
             let parts = answered
                 .iter()
-                .map(|band| band.with as f64 / band.told as f64);
+                .map(|band| band.with as f64 / band.classified as f64);
             let mean = parts.sum::<f64>() / answered.len() as f64;
             (!answered.is_empty()).then(|| (tile.ends(), Fraction::of(mean)))
         };

@@ -3,17 +3,18 @@
 use anyhow::{Context, Result, bail};
 use linear::estimates::largest_undershoot;
 use linear::{
-    Budget, BuildError, Earlier, ImpulseTrains, Method, ResponsePlan, Responses, parallel,
+    Budget, BuildError, Earlier, ImpulseTrains, Method, Request, ResponsePlan, Responses, parallel,
 };
 use sim::excitation::reach_of_impulse;
 use sim::{Sampling, Simulator, SimulatorPlan};
 
 use super::MethodSystem;
+use crate::engine::dry_run;
 use crate::engine::finer::finer_frequency;
 use crate::engine::rubbing;
 use crate::engine::stepped::{self, stepped_by};
 use crate::engine::stopwatch::Stopwatch;
-use crate::engine::system_plan::SystemPlan;
+use crate::engine::system_plan::{Stepping, SystemPlan};
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 /// What the linear system of a method is built from. There is no other way to build one but
@@ -146,18 +147,23 @@ impl<'a> Recipe<'a> {
         }
     }
 
-    /// The system without what only a sweep asks of it.
+    /// The system without what only a sweep asks of it, within the memory that its dry run asks for.
     fn build_alone(&self) -> Result<MethodSystem> {
         let start = Stopwatch::start();
-        let (setting, method, longest_time) = (self.setting, &self.method, self.longest_time);
-        // The dry run was held against the limit. What outlasts its plan is built all the same.
-        let budget = Budget::unlimited();
-        if let Some((lateral, parameters)) = stepped_by(setting, method) {
+        let plan = self.plan();
+        let (setting, longest_time) = (self.setting, self.longest_time);
+        if let Some((lateral, parameters)) = stepped_by(setting, &self.method) {
+            let budget = within(|budget| dry_run::ask(&plan, budget))?;
             let (responses, simulator) =
                 stepped::build(setting, lateral, &parameters, longest_time, &budget)?;
             return MethodSystem::with(setting, responses, simulator, (start, &budget));
         }
-        let responses = self.responses(&budget)?;
+        let request = plan.request();
+        let before = self.request_before();
+        let planned = self.response_plan(&request, before.as_ref())?;
+        let asked = (&request, &planned);
+        let budget = within(|budget| dry_run::ask_for_responses(&plan, asked, budget))?;
+        let responses = planned.build(&budget)?;
         let Some(friction) = &setting.friction else {
             return MethodSystem::of_responses(setting, responses, (start, &budget));
         };
@@ -169,35 +175,56 @@ impl<'a> Recipe<'a> {
         })
     }
 
-    fn responses(&self, budget: &Budget) -> Result<Responses, BuildError> {
-        let (string, method, asked) = (&self.setting.string, &self.method, self.plan().request());
-        match self.basis {
-            Basis::Trains(trains) => {
-                ResponsePlan::with_trains(string, method, &asked, trains)?.build(budget)
+    /// The system of another string, and what its responses were built from.
+    fn request_before(&self) -> Option<(&'a MethodSystem, Request)> {
+        let Basis::Earlier(earlier) = self.basis else {
+            return None;
+        };
+        // Elements that are stepped have no responses to take over.
+        let has_responses = stepped_by(&earlier.setting, &self.method).is_none();
+        let before = SystemPlan {
+            setting: &earlier.setting,
+            longest_time: earlier.responses.longest_time,
+            ..self.plan()
+        };
+        has_responses.then(|| (earlier, before.request()))
+    }
+
+    fn response_plan<'b>(
+        &'b self,
+        request: &'b Request,
+        before: Option<&'b (&MethodSystem, Request)>,
+    ) -> Result<ResponsePlan<'b>, BuildError> {
+        let (string, method) = (&self.setting.string, &self.method);
+        match (self.basis, before) {
+            (Basis::Trains(trains), _) => {
+                ResponsePlan::with_trains(string, method, request, trains)
             }
-            // Elements that are stepped have no responses to take over.
-            Basis::Earlier(earlier) if stepped_by(&earlier.setting, method).is_none() => {
-                let before = SystemPlan {
-                    setting: &earlier.setting,
-                    longest_time: earlier.responses.longest_time,
-                    ..self.plan()
-                };
+            (_, Some((earlier, before))) => {
                 let earlier = Earlier {
                     string: &earlier.setting.string,
-                    request: &before.request(),
+                    request: before,
                     responses: &earlier.responses,
                 };
-                ResponsePlan::after(string, method, &asked, earlier)?.build(budget)
+                ResponsePlan::after(string, method, request, earlier)
             }
-            Basis::Nothing | Basis::Earlier(_) => {
-                ResponsePlan::new(string, method, &asked)?.build(budget)
-            }
+            _ => ResponsePlan::new(string, method, request),
         }
     }
 }
 
+/// A budget of what is asked for in a dry run.
+///
+/// # Errors
+/// Those of the dry run.
+fn within(ask: impl FnOnce(&Budget) -> Result<Stepping, BuildError>) -> Result<Budget, BuildError> {
+    let asked = Budget::unlimited();
+    ask(&asked)?;
+    Ok(Budget::new(asked.need().peak.ceil()))
+}
+
 impl MethodSystem {
-    /// The system of responses, whoever made them, that were begun at a moment.
+    /// The system of responses that are there already; building them began at a moment.
     ///
     /// # Errors
     /// Where they are not those of a string.

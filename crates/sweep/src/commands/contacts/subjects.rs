@@ -9,7 +9,7 @@ use crate::commands::prepare::{open, unique};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::{warn_of_memory, warn_of_sweep};
-use campaign::engine::why_idle;
+use campaign::engine::unused_reason;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use studies::contacts::{Range, StudiedString, StudiedStringError};
@@ -52,7 +52,7 @@ fn subject(
             Axis::FRICTION => Some("the study looks for it".to_owned()),
             _ => axis.check(value).err().map(|reason| reason.to_string()),
         };
-        let refusal = refusal.or_else(|| why_idle(&sweep, axis).map(str::to_owned));
+        let refusal = refusal.or_else(|| unused_reason(&sweep, axis).map(str::to_owned));
         if let Some(refusal) = refusal {
             bail!(UsageError(format!("--set {}: {refusal}", axis.name())));
         }

@@ -72,7 +72,7 @@ fn in_words(error: ChoiceError, file: &Path) -> anyhow::Error {
         }
         ChoiceError::Set { .. } => format!("--set {error}"),
         ChoiceError::DifferentStrings => format!("--case: {error}"),
-        ChoiceError::Beside(reason) => format!("{}: {reason}", file.display()),
+        ChoiceError::SharedString(reason) => format!("{}: {reason}", file.display()),
         ChoiceError::WeightWithoutRock | ChoiceError::Case(_) => error.to_string(),
     };
     UsageError(message).into()
