@@ -102,6 +102,30 @@ fn the_citation_is_of_this_version() {
     assert!(text("CITATION.cff").contains(&version), "{version}");
 }
 
+/// Commands that developers and CI type name files that are there.
+#[test]
+fn typed_commands_name_files_that_are_there() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut seen = 0;
+    for file in [
+        "justfile",
+        "CONTRIBUTING.md",
+        ".github/workflows/ci.yml",
+        ".github/workflows/release.yml",
+    ] {
+        let text = text(file);
+        let is_of_path = |c: char| c.is_alphanumeric() || "./-_".contains(c);
+        let words = text.split(|c| !is_of_path(c));
+        let folders = ["scripts/", ".ci/", "sweeps/", "results/reference/"];
+        for word in words.filter(|word| folders.iter().any(|it| word.starts_with(it))) {
+            let path = word.trim_end_matches('.');
+            assert!(root.join(path).exists(), "{path} in {file}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 10, "{seen}");
+}
+
 /// What a registry shows of a package: each crate has its own description, and the rest of the
 /// workspace.
 #[test]
