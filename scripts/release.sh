@@ -41,7 +41,7 @@ trap 'rm -rf "$work"' EXIT
 folder=$work/$name
 mkdir -p "$folder"/{bin,completions,man/man1,scripts}
 cp "$sweep" "$folder/bin/"
-cp README.md CHANGELOG.md LICENSE-* "$folder/"
+cp README.md ARCHITECTURE.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE-* "$folder/"
 cp crates/plot/src/fonts/LICENSE* "$folder/LICENSE-DEJAVU"
 cp -R docs sweeps "$folder/"
 cp scripts/slurm.sh "$folder/scripts/"

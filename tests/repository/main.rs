@@ -1,6 +1,7 @@
-//! The repository itself: its structure, its dependencies and its guide.
+//! The repository itself: its structure, its dependencies, its front page and its guide.
 
 mod dependencies;
+mod front;
 mod guide;
 mod layout;
 mod names;

@@ -29,19 +29,7 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 16] = [
-    snippet(
-        "README.md",
-        "the drillstring of the paper's Table 2",
-        After::Nothing,
-    ),
-    snippet(
-        "README.md",
-        "accuracy =",
-        After::Base("fig09_without_methods.toml"),
-    ),
-    snippet("README.md", "Hertzian", After::Nothing),
-    snippet("README.md", "[40, 1800]", After::Base("academic.toml")),
+const SNIPPETS: [Snippet; 15] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
     snippet("docs/extending.md", "[dependencies]", After::Other),
@@ -49,6 +37,17 @@ const SNIPPETS: [Snippet; 16] = [
     snippet("docs/first-map.md", "[40, 1500]", After::New),
     snippet("docs/first-map.md", "methods", After::New),
     snippet("docs/limits.md", "trace", After::Nothing),
+    snippet(
+        "docs/sweep-file.md",
+        "the drillstring of the paper's Table 2",
+        After::Nothing,
+    ),
+    snippet(
+        "docs/sweep-file.md",
+        "accuracy =",
+        After::Base("fig09_without_methods.toml"),
+    ),
+    snippet("docs/sweep-file.md", "Hertzian", After::Nothing),
     snippet("docs/sweep-file.md", "triangular", After::Other),
     snippet("docs/unknowns.md", "monte-carlo", After::Nothing),
     snippet("docs/unknowns.md", "sensitivity", After::Nothing),

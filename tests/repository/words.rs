@@ -139,7 +139,9 @@ fn texts() -> Vec<(PathBuf, String)> {
     let mut files = Vec::new();
     for place in [
         ".ci",
+        "ARCHITECTURE.md",
         "CHANGELOG.md",
+        "CONTRIBUTING.md",
         "README.md",
         "crates",
         "docs",
