@@ -321,7 +321,7 @@ fn sheets_are_read_as_people_have_them_and_the_right_way_up() {
     assert!(marked.contains("1 × 2.000 m, #2 Stabilizer"), "{marked}");
     let (_, reported) = sheet(&FROM_SURFACE.replace("\nStabilizer,1,8", "\n#Stabilizer,1,8"));
     assert!(
-        reported.contains("note: bha.csv:4: 1 1 line below the headings ignored as comments"),
+        reported.contains("note: bha.csv:4: 1 line below the headings ignored as comments"),
         "{reported}"
     );
 }
