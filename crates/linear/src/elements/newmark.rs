@@ -325,7 +325,7 @@ mod tests {
 
     /// Of shapes within the cone, and at its edges.
     #[test]
-    fn val_no_shape_loses_less_than_the_edges_of_its_cone() {
+    fn no_shape_loses_less_than_the_edges_of_its_cone() {
         let rule = |gamma: f64| weights(gamma, 0.25 * (0.5 + gamma).powi(2));
         for weights in [
             rule(0.52),
