@@ -44,7 +44,7 @@ enum Lengths<'a> {
     /// Built until they have decayed.
     Rounds(Rounds),
     /// Made of trains of impulses, which are to be built.
-    Trains(TrainsPlan<'a>),
+    Trains(Box<TrainsPlan<'a>>),
     /// Made of trains that are there.
     Known(&'a ImpulseTrains),
     /// Made by one transform.
@@ -75,7 +75,9 @@ impl<'a> TorsionPlan<'a> {
                 trains.check(string, request, wanted.torques())?;
                 Lengths::Known(trains)
             }
-            (Method::Held, None) => Lengths::Trains(TrainsPlan::new(string, request, wanted)?),
+            (Method::Held, None) => {
+                Lengths::Trains(Box::new(TrainsPlan::new(string, request, wanted)?))
+            }
             (Method::Quadrature, _) => rounds(Scheme::BackwardDifferences)?,
             (Method::Trapezoidal, _) => rounds(Scheme::Trapezoidal)?,
             (Method::FiniteElement(parameters), _) => {
