@@ -8,7 +8,6 @@ mod integrity;
 mod label_rows;
 mod manifest;
 mod open;
-mod recorded_rows;
 mod records;
 mod results;
 mod tables;
