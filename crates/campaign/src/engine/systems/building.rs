@@ -9,11 +9,12 @@ use sim::excitation::reach_of_impulse;
 use sim::{Sampling, Simulator, SimulatorPlan};
 
 use super::MethodSystem;
+use crate::engine::dry_run;
 use crate::engine::finer::finer_frequency;
 use crate::engine::rubbing;
 use crate::engine::stepped::{self, stepped_by};
 use crate::engine::stopwatch::Stopwatch;
-use crate::engine::system_plan::SystemPlan;
+use crate::engine::system_plan::{Stepping, SystemPlan};
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 /// What the linear system of a method is built from. There is no other way to build one but
@@ -146,14 +147,13 @@ impl<'a> Recipe<'a> {
         }
     }
 
-    /// The system without what only a sweep asks of it.
+    /// The system without what only a sweep asks of it, within the memory that its dry run asks for.
     fn build_alone(&self) -> Result<MethodSystem> {
         let start = Stopwatch::start();
         let plan = self.plan();
         let (setting, longest_time) = (self.setting, self.longest_time);
-        // The dry run of all systems was held against the limit.
-        let budget = Budget::unlimited();
         if let Some((lateral, parameters)) = stepped_by(setting, &self.method) {
+            let budget = within(|budget| dry_run::ask(&plan, budget))?;
             let (responses, simulator) =
                 stepped::build(setting, lateral, &parameters, longest_time, &budget)?;
             return MethodSystem::with(setting, responses, simulator, (start, &budget));
@@ -161,6 +161,8 @@ impl<'a> Recipe<'a> {
         let request = plan.request();
         let before = self.request_before();
         let planned = self.response_plan(&request, before.as_ref())?;
+        let asked = (&request, &planned);
+        let budget = within(|budget| dry_run::ask_for_responses(&plan, asked, budget))?;
         let responses = planned.build(&budget)?;
         let Some(friction) = &setting.friction else {
             return MethodSystem::of_responses(setting, responses, (start, &budget));
@@ -209,6 +211,16 @@ impl<'a> Recipe<'a> {
             _ => ResponsePlan::new(string, method, request),
         }
     }
+}
+
+/// A budget of what is asked for in a dry run.
+///
+/// # Errors
+/// Those of the dry run.
+fn within(ask: impl FnOnce(&Budget) -> Result<Stepping, BuildError>) -> Result<Budget, BuildError> {
+    let asked = Budget::unlimited();
+    ask(&asked)?;
+    Ok(Budget::new(asked.need().peak.ceil()))
 }
 
 impl MethodSystem {
