@@ -31,6 +31,17 @@ pub enum Field<'a> {
     Flag(bool),
 }
 
+impl Field<'_> {
+    /// The number or count that it holds, if it does.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Field::Number(number) => Some(*number),
+            Field::Count(count) => Some(*count as f64),
+            Field::Nothing | Field::Text(_) | Field::Flag(_) => None,
+        }
+    }
+}
+
 impl fmt::Display for Field<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -5,6 +5,7 @@ use std::path::Path;
 use anyhow::{Context, Result, anyhow};
 use sim::{Label, Labels, Motion, PerMotion};
 
+use super::recorded_rows::RecordedRows;
 use campaign::records::{Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, Measure, ResultColumn};
 
 use campaign::quantities::Axis;
@@ -274,8 +275,9 @@ fn rows_of(table: &HandTable, axes: &[Axis]) -> Result<Vec<LabelRow>, Mistake> {
     rows.collect()
 }
 
-/// The rows of a `labels.csv` of which the values along `axes` and some measures are wanted;
-/// only one is in memory at a time.
+/// The rows of a `labels.csv` of which the values along `axes` and some measures are wanted: from
+/// the records of its folder, where that keeps them, and from its text where not. Only the rows of a
+/// case are in memory at a time.
 ///
 /// # Errors
 /// Where it cannot be read or lacks a column; the message names file and line.
@@ -283,16 +285,22 @@ pub fn label_rows(
     path: &Path,
     axes: &[Axis],
     measures: &[Measure],
-) -> Result<impl Iterator<Item = Result<LabelRow>> + use<>> {
+) -> Result<Box<dyn Iterator<Item = Result<LabelRow>>>> {
     let name = path.display().to_string();
     let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
     let header = reader.headers().with_context(|| unreadable(path))?;
     let columns = LabelColumns::find(header.iter(), axes, measures);
     let columns = columns.map_err(|reason| anyhow!("{name}:1: {reason}"))?;
-    Ok(reader.into_records().map(move |record| {
+    let wanted = (axes, measures);
+    if let Some(folder) = path.parent()
+        && let Some(rows) = RecordedRows::of(folder, wanted, columns.misfits.len())
+    {
+        return Ok(Box::new(rows.read(folder)?));
+    }
+    Ok(Box::new(reader.into_records().map(move |record| {
         let record = record.with_context(|| unreadable(Path::new(&name)))?;
         let line = record.position().map_or(0, csv::Position::line) as usize;
         let row = columns.row(line, |column| record.get(column));
         row.map_err(|reason| anyhow!("{name}:{line}: {reason}"))
-    }))
+    })))
 }

@@ -8,6 +8,7 @@ mod integrity;
 mod label_rows;
 mod manifest;
 mod open;
+mod recorded_rows;
 mod records;
 mod results;
 mod tables;
