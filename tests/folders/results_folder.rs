@@ -119,7 +119,7 @@ fn a_shard_that_is_complete_is_not_said_to_have_a_map() {
 /// Analysis, reports and windows read what the log held; without it, the same from the text of
 /// `labels.csv`: a grid that certifies, a file with walls and found sites, and measures of each.
 #[test]
-fn reg_rows_from_records_are_those_of_the_table() {
+fn rows_from_records_are_those_of_the_table() {
     use campaign::records::Measure;
     use results::folder::{LabelRow, Manifest, label_rows};
 

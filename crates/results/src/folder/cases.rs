@@ -4,7 +4,8 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use super::label_rows::{LabelRow, label_rows};
+use super::label_row::LabelRow;
+use super::label_rows::label_rows;
 use campaign::quantities::Axis;
 use campaign::records::Measure;
 use sim::Motion;

@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::{Context, Result, anyhow};
 use sim::{Labels, Outcome};
 
-use super::label_rows::LabelRow;
+use super::label_row::LabelRow;
 use super::manifest::Manifest;
 use super::open::MANIFEST;
 use super::records::{RECORDS, read_records};
