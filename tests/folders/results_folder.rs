@@ -126,7 +126,7 @@ fn rows_from_records_are_those_of_the_table() {
     let sweeps = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../sweeps");
     let certified = "certify = true\nmethods = [\"held\", \"finite-element\"]\n";
     let few = "[design]\nkind = \"monte-carlo\"\ncases = 12\nseed = 3\n[design.axes]\n";
-    let bit = "torque_dynamic_nm = { from = 500, to = 3000 }\n\
+    let bit = "weight_on_bit_kn = { from = 20, to = 200 }\n\
                surface_speed_rpm = { from = 20, to = 150 }\n";
     let wall = "impulse_ratio = { from = 0.9, to = 5 }\nfriction = { from = 0.5, to = 3 }\n";
     for (base, more) in [
