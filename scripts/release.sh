@@ -22,7 +22,7 @@ refuse() {
 
 target=x86_64-unknown-linux-gnu
 dist=${1:-dist}
-version=$(cargo pkgid --locked -p sweep)
+version=$(cargo pkgid --locked -p drillstring)
 version=${version##*[#@]}
 name=drillstring-sweep-$version-x86_64-linux
 
@@ -31,7 +31,7 @@ name=drillstring-sweep-$version-x86_64-linux
     refuse "there is no libc.a to link with: it is in libc6-dev on Debian, glibc-static on Fedora"
 # Of a release, the engine of the pages has to be made from its sources.
 scripts/renew-page-engine.sh --check
-cargo rustc --release --locked -p sweep --bin sweep -- \
+cargo rustc --release --locked -p drillstring --bin sweep -- \
     -C target-feature=+crt-static -C strip=symbols
 sweep=${CARGO_TARGET_DIR:-target}/release/sweep
 
@@ -46,7 +46,7 @@ cp crates/plot/src/fonts/LICENSE* "$folder/LICENSE-DEJAVU"
 cp -R docs sweeps "$folder/"
 cp scripts/slurm.sh "$folder/scripts/"
 # What the program is built from asks to be named with its licence.
-cargo tree --locked -p sweep --edges normal --target "$target" --prefix none --format '{p}' |
+cargo tree --locked -p drillstring --edges normal --target "$target" --prefix none --format '{p}' |
     sed -n 's/ (\*)$//; s/^\([^ ]*\) v\([^ ]*\)$/\1-\2/p' | LC_ALL=C sort -u |
     while read -r package; do
         mkdir -p "$folder/licences/$package"

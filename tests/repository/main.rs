@@ -5,6 +5,8 @@ mod front;
 mod guide;
 mod layout;
 mod names;
+mod oldest_rust;
+mod packages;
 mod snippets;
 mod structure;
 mod type_names;

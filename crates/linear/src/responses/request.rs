@@ -59,9 +59,11 @@ impl Request {
                 return Err(BuildError::ChannelTwice { channel });
             }
             let sites = self.sites.len();
-            if let ChannelRequest::Torsion { torques } = request
-                && let Some(&site) = torques.iter().find(|&&site| site >= sites)
-            {
+            let torques = match request {
+                ChannelRequest::Torsion { torques } => torques.as_slice(),
+                ChannelRequest::Bending { .. } => &[],
+            };
+            if let Some(&site) = torques.iter().find(|&&site| site >= sites) {
                 return Err(BuildError::NoSuchSite { site, sites });
             }
         }

@@ -113,7 +113,7 @@ mod tests {
         let values = time_response(|s| pulse(s) / (1.0 + (-s * 2.0).exp()), 0.005, 2000, 16);
         for (index, value) in values.iter().enumerate() {
             let time = index as f64 * 0.005;
-            let sign = if ((time / 2.0) as usize).is_multiple_of(2) {
+            let sign = if ((time / 2.0) as usize) % 2 == 0 {
                 1.0
             } else {
                 -1.0

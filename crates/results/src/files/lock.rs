@@ -1,9 +1,10 @@
 //! Only one command at a time writes into a folder.
 
-use std::fs::{File, TryLockError};
+use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use fs4::{FileExt, TryLockError};
 use thiserror::Error;
 
 use super::regular::refuse_irregular;
@@ -47,7 +48,7 @@ impl FolderLock {
                 .create(true)
                 .truncate(false)
                 .open(&path)?;
-            let unsupported = match file.try_lock() {
+            let unsupported = match FileExt::try_lock(&file) {
                 Ok(()) => None,
                 Err(TryLockError::WouldBlock) => return Err(LockError::Taken),
                 Err(TryLockError::Error(error)) => Some(error),

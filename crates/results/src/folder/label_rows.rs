@@ -246,10 +246,10 @@ pub fn label_rows(
     let columns = LabelColumns::find(header.iter(), axes, measures);
     let columns = columns.map_err(|reason| anyhow!("{name}:1: {reason}"))?;
     let wanted = (axes, measures);
-    if let Some(folder) = path.parent()
-        && let Some(rows) = RecordedRows::of(folder, wanted, columns.misfits.len())
-    {
-        return Ok(Box::new(rows.read(folder)?));
+    if let Some(folder) = path.parent() {
+        if let Some(rows) = RecordedRows::of(folder, wanted, columns.misfits.len()) {
+            return Ok(Box::new(rows.read(folder)?));
+        }
     }
     Ok(Box::new(reader.into_records().map(move |record| {
         let record = record.with_context(|| unreadable(Path::new(&name)))?;

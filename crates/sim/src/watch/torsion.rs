@@ -391,7 +391,7 @@ mod tests {
     fn swinging(step: usize) -> f64 {
         match step {
             0..60 => 9.0,
-            _ if step.is_multiple_of(2) => 1.5,
+            _ if step % 2 == 0 => 1.5,
             _ => 2.5,
         }
     }
