@@ -76,6 +76,16 @@ fn packages_are_named_for_the_registry() {
     }
 }
 
+/// The Python package, a workspace for itself, has the version of the others.
+#[test]
+fn all_have_one_version() {
+    for it in crates() {
+        let version = &it.package()["version"];
+        let is_shared = version.get("workspace").is_some();
+        assert!(is_shared || version.as_str() == Some(env!("CARGO_PKG_VERSION")));
+    }
+}
+
 /// Where a published crate needs another, the registry has to know which.
 #[test]
 fn crates_ask_for_each_other_by_version() {
