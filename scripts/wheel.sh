@@ -25,6 +25,15 @@ install maturin 'maturin>=1.9,<2'
 options=()
 linking=()
 host=$(rustc --print host-tuple)
+
+# What pyproject.toml names as `license-files`.
+licences=crates/python/licences
+rm -rf "$licences"
+mkdir -p "$licences"
+cp LICENSE-* "$licences/"
+scripts/licences.sh "$licences/dependencies" --manifest-path crates/python/Cargo.toml \
+    --target "$host"
+
 if [[ $host == *-linux-gnu ]]; then
     install ziglang 'ziglang>=0.15,<0.18'
     # As `maturin build --zig` has it, of the last step alone: with that option all that is below

@@ -28,6 +28,8 @@ use pyo3::prelude::*;
 /// What `drillstring` imports.
 #[pymodule]
 mod _drillstring {
+    use pyo3::prelude::*;
+
     #[pymodule_export]
     use crate::errors::{DrillstringError, DrillstringWarning, SweepFileError};
     #[pymodule_export]
@@ -46,4 +48,9 @@ mod _drillstring {
     use crate::string::{Drillstring, Modes};
     #[pymodule_export]
     use crate::sweep::Sweep;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
 }

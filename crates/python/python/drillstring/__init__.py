@@ -15,6 +15,7 @@ from ._drillstring import (
     Responses,
     Simulation,
     SweepFileError,
+    __version__,
 )
 from ._parts import (
     Bending,
@@ -56,5 +57,6 @@ __all__ = [
     "Tube",
     "Wall",
     "Window",
+    "__version__",
     "analyse",
 ]

@@ -29,8 +29,11 @@ __all__ = [
     "Simulation",
     "Sweep",
     "SweepFileError",
+    "__version__",
     "_analyse",
 ]
+
+__version__: str
 
 class DrillstringError(Exception): ...
 
