@@ -55,21 +55,6 @@ pub fn range(axis: Axis, range: [f64; 2], units: Units) -> String {
     format!("{name} from {}", ends(axis, range, units))
 }
 
-/// What the symbols of a motion mean, `by_all` methods.
-pub fn meanings(motion: Motion, by_all: &str) -> [(Symbol, String); 4] {
-    let [regime, none] = motion.regimes();
-    let comma = if by_all.is_empty() { "" } else { "," };
-    [
-        (Symbol::Circle, format!("{regime}{by_all}")),
-        (
-            Symbol::Diamond,
-            format!("{regime} or {none}, depending on the start{comma}{by_all}"),
-        ),
-        (Symbol::Cross, format!("{none}{by_all}")),
-        (Symbol::Square, "methods differ".to_owned()),
-    ]
-}
-
 /// The fills and symbols that are on any of the maps: parts from all to none of the
 /// cases, then symbols.
 pub fn keys(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(CellFill, String)> {
@@ -94,7 +79,7 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ce
         " by all methods"
     };
     let is_there = |symbol| contents.iter().any(|content| content.has(symbol));
-    let meanings = meanings(motion, by_all);
+    let meanings = Symbol::meanings(motion.regimes(), by_all);
     let meanings = match manifest.certified_by {
         Some(_) => by_certainty(meanings),
         None => meanings.to_vec(),
