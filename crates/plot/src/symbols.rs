@@ -69,6 +69,21 @@ impl Symbol {
         ]
     }
 
+    /// The same where certainty is known for each case.
+    pub fn by_certainty(meanings: [(Symbol, String); 4]) -> Vec<(Symbol, String)> {
+        let of_symbol = |(symbol, meaning): (Symbol, String)| {
+            let certain = symbol.filled();
+            if certain == symbol {
+                return vec![(symbol, meaning)];
+            }
+            vec![
+                (certain, format!("{meaning}, certain")),
+                (symbol, format!("{meaning}, not certain")),
+            ]
+        };
+        meanings.into_iter().flat_map(of_symbol).collect()
+    }
+
     /// Its colour.
     pub fn colour(self) -> Colour {
         match self {

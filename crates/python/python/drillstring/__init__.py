@@ -29,14 +29,17 @@ from ._parts import (
     Tube,
     Wall,
 )
-from ._results import Analysis, Window, analyse
-from ._sweep import Sweep, Table
+from ._results import Analysis, Results, Window, analyse
+from ._sweep import Sweep
+from ._table import About, Curve, Table
 
 __all__ = [
+    "About",
     "Analysis",
     "Approach",
     "Bending",
     "BitTorque",
+    "Curve",
     "Drillstring",
     "DrillstringError",
     "DrillstringWarning",
@@ -47,6 +50,7 @@ __all__ = [
     "Motion",
     "Outcome",
     "Responses",
+    "Results",
     "Section",
     "Simulation",
     "Sweep",

@@ -1,4 +1,4 @@
-"""Sweeps, and the table of what a run answers."""
+"""Sweeps: what a file says, and its run."""
 
 from __future__ import annotations
 
@@ -13,25 +13,9 @@ from numpy.typing import NDArray
 from ._drillstring import Drillstring, Responses, Simulation
 from ._drillstring import Sweep as _Sweep
 from ._results import Folders, Window, paths
+from ._table import About, Curve, Table
 
-__all__ = ["Sweep", "Table"]
-
-
-class Table(dict[str, "np.ndarray[Any, Any]"]):
-    """Columns by name, those of ``labels.csv`` in its order: an array each, a row for each case
-    and method.
-
-    ``pandas.DataFrame(table)`` and ``polars.DataFrame(table)`` take it as it is. Words that a row
-    lacks are ``None``, numbers not a number.
-    """
-
-    @property
-    def rows(self) -> int:
-        """Number of rows."""
-        return len(self["case"])
-
-    def __repr__(self) -> str:
-        return f"<Table of {self.rows} rows: {', '.join(self)}>"
+__all__ = ["Sweep"]
 
 
 class Sweep:
@@ -224,15 +208,17 @@ class Sweep:
         ``progress`` is called ten times a second with the number of simulations done and their total.
         Ctrl-C and what it raises end the run.
         """
-        return Table(
-            self._sweep._run(
-                threads=threads,
-                progress=progress,
-                full=full,
-                allow_unstable=allow_unstable,
-                memory=memory,
-            )
+        columns = self._sweep._run(
+            threads=threads,
+            progress=progress,
+            full=full,
+            allow_unstable=allow_unstable,
+            memory=memory,
         )
+        return Table(columns, About.of(self._sweep._about()), self._curves)
+
+    def _curves(self) -> list[Curve]:
+        return [Curve(**curve) for curve in self._sweep._limit_curves()]
 
 
 def _given(table: dict[str, Any]) -> dict[str, Any]:

@@ -81,7 +81,7 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ce
     let is_there = |symbol| contents.iter().any(|content| content.has(symbol));
     let meanings = Symbol::meanings(motion.regimes(), by_all);
     let meanings = match manifest.certified_by {
-        Some(_) => by_certainty(meanings),
+        Some(_) => Symbol::by_certainty(meanings),
         None => meanings.to_vec(),
     };
     let mut found: Vec<_> = (meanings.into_iter())
@@ -103,21 +103,6 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ce
         }
     }
     found
-}
-
-/// The meanings of symbols where certainty is known for each case.
-fn by_certainty(meanings: [(Symbol, String); 4]) -> Vec<(Symbol, String)> {
-    let of_symbol = |(symbol, meaning): (Symbol, String)| {
-        let certain = symbol.filled();
-        if certain == symbol {
-            return vec![(symbol, meaning)];
-        }
-        vec![
-            (certain, format!("{meaning}, certain")),
-            (symbol, format!("{meaning}, not certain")),
-        ]
-    };
-    meanings.into_iter().flat_map(of_symbol).collect()
 }
 
 /// What the fills of cells tell.

@@ -1,0 +1,37 @@
+"""Every snippet of docs/python.md, one after another in one session, as a reader types them."""
+
+import re
+import shutil
+
+import matplotlib
+import numpy as np
+import pytest
+
+import drillstring as ds
+from conftest import ROOT
+
+matplotlib.use("Agg")
+
+PAGE = (ROOT / "docs/python.md").read_text()
+
+
+def test_every_snippet_of_the_guide_runs(command, tmp_path, monkeypatch, capsys):
+    shutil.copytree(ROOT / "sweeps", tmp_path / "sweeps")
+    for name in ["fig09", "well_12in_unknowns", "well_12in_window"]:
+        command("run", f"sweeps/{name}.toml", "--out", tmp_path / "results" / name, "--quiet")
+    monkeypatch.chdir(tmp_path)
+    snippets = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+    assert len(snippets) == PAGE.count("```python") > 8
+    session = {"np": np}
+    for snippet in snippets:
+        exec(compile(snippet, "docs/python.md", "exec"), session)
+    assert (tmp_path / "fig09.png").stat().st_size > 10_000
+    assert set(session["table"]["torsion"]) == {"stick_slip", "smooth"}
+    assert session["simulation"].row["torsion"] == "stick_slip"
+    assert session["outcome"].torsion in {"stuck", "smooth", "stick_slip"}
+    assert session["own"].cases == 3
+
+
+@pytest.mark.parametrize("name", sorted(ds.__all__))
+def test_every_public_name_has_its_documentation(name):
+    assert getattr(ds, name).__doc__
