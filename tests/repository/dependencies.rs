@@ -74,7 +74,9 @@ fn features(manifest: &str) -> BTreeMap<String, BTreeSet<String>> {
 fn the_wheel_is_made_of_what_the_program_is_built_from() {
     let program = features("../sweep/Cargo.toml");
     let wheel = features("../python/Cargo.toml");
-    let shared = wheel.iter().filter(|(package, _)| program.contains_key(*package));
+    let shared = wheel
+        .iter()
+        .filter(|(package, _)| program.contains_key(*package));
     assert!(shared.clone().count() > 100);
     let differing: Vec<_> = shared
         .filter(|(package, features)| !features.is_subset(&program[*package]))
