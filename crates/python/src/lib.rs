@@ -59,6 +59,7 @@ mod _drillstring {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("_TEMPLATE", campaign::sweep_file::TEMPLATE)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

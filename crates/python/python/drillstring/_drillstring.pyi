@@ -29,6 +29,7 @@ __all__ = [
     "Simulation",
     "Sweep",
     "SweepFileError",
+    "_TEMPLATE",
     "__version__",
     "_analyse",
     "_column_words",
@@ -40,6 +41,7 @@ __all__ = [
     "_symbols_of_cases",
 ]
 
+_TEMPLATE: str
 __version__: str
 
 class DrillstringError(Exception): ...

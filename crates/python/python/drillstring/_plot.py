@@ -138,8 +138,8 @@ def _panels(motion: Motion) -> list[tuple[str, NDArray[np.float64]]]:
 def _pyplot() -> Any:
     try:
         import matplotlib.pyplot
-    except ImportError as error:
-        raise ImportError("plot needs matplotlib: pip install matplotlib") from error
+    except ImportError:
+        raise ImportError("plot needs matplotlib: pip install matplotlib") from None
     return matplotlib.pyplot
 
 

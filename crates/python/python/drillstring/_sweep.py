@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._drillstring import Drillstring, Responses, Simulation
+from ._drillstring import _TEMPLATE, Drillstring, DrillstringError, Responses, Simulation
 from ._drillstring import Sweep as _Sweep
 from ._results import Folders, Window, paths
 from ._table import About, Curve, Table
@@ -25,7 +25,7 @@ class Sweep:
     _sweep: _Sweep
 
     def __init__(self) -> None:
-        raise TypeError("use Sweep.read, Sweep.from_toml or Sweep.from_dict")
+        raise TypeError("use Sweep.read, Sweep.new, Sweep.from_toml or Sweep.from_dict")
 
     @classmethod
     def _of(cls, sweep: _Sweep) -> Sweep:
@@ -37,6 +37,19 @@ class Sweep:
     def read(cls, path: str | PathLike[str], *, methods: Sequence[str] | None = None) -> Sweep:
         """Read a sweep file, with these methods instead of the file's."""
         return cls._of(_Sweep.read(path, methods=methods))
+
+    @classmethod
+    def new(cls, path: str | PathLike[str], *, force: bool = False) -> Sweep:
+        """Write a commented sweep file to start from, as ``sweep new`` does, and read it. One that is
+        there is written over where ``force`` says so."""
+        try:
+            with open(path, "w" if force else "x", encoding="utf-8") as file:
+                file.write(_TEMPLATE)
+        except FileExistsError:
+            raise DrillstringError(
+                f"{path} is there already: give another name, or force=True to write over it"
+            ) from None
+        return cls.read(path)
 
     @classmethod
     def from_toml(

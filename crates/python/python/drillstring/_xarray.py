@@ -27,8 +27,8 @@ def dataset(table: Table) -> xarray.Dataset:
     """The columns of a table over the axes of its design and ``method``."""
     try:
         import xarray
-    except ImportError as error:
-        raise ImportError("to_xarray needs xarray: pip install xarray") from error
+    except ImportError:
+        raise ImportError("to_xarray needs xarray: pip install xarray") from None
     about = table.about
     if about.design != "grid":
         why = SCATTERED.get(str(about.design), "are on no grid")
