@@ -5,7 +5,6 @@ import shutil
 import sys
 
 import matplotlib
-import numpy as np
 import pytest
 
 import drillstring as ds
@@ -23,13 +22,14 @@ def test_every_snippet_of_the_guide_runs(command, tmp_path, monkeypatch, capsys)
     monkeypatch.chdir(tmp_path)
     snippets = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
     assert len(snippets) == PAGE.count("```python") > 8
-    session = {"np": np}
+    session = {}
     for snippet in snippets:
         exec(compile(snippet, "docs/python.md", "exec"), session)
     assert (tmp_path / "my-map.png").stat().st_size > 10_000
     assert (tmp_path / "fig09.png").stat().st_size > 10_000
     assert set(session["table"]["torsion"]) == {"stick_slip", "smooth"}
-    assert session["simulation"].row["torsion"] == "stick_slip"
+    assert session["simulation"].row["torsion"] in {"stick_slip", "smooth"}
+    assert len(session["axes"][0].lines) == 2
     assert session["outcome"].torsion in {"stuck", "smooth", "stick_slip"}
     assert session["own"].cases == 3
 
