@@ -45,15 +45,7 @@ cp README.md ARCHITECTURE.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE-*
 cp crates/plot/src/fonts/LICENSE* "$folder/LICENSE-DEJAVU"
 cp -R docs sweeps "$folder/"
 cp scripts/slurm.sh "$folder/scripts/"
-# What the program is built from asks to be named with its licence.
-cargo tree --locked -p drillstring --edges normal --target "$target" --prefix none --format '{p}' |
-    sed -n 's/ (\*)$//; s/^\([^ ]*\) v\([^ ]*\)$/\1-\2/p' | LC_ALL=C sort -u |
-    while read -r package; do
-        mkdir -p "$folder/licences/$package"
-        find "${CARGO_HOME:-$HOME/.cargo}"/registry/src/*/"$package" -maxdepth 1 -type f \
-            \( -iname 'licen[cs]e*' -o -iname 'copying*' -o -iname 'unlicense*' -o -iname 'notice*' \) \
-            -exec cp {} "$folder/licences/$package/" \;
-    done
+scripts/licences.sh "$folder/licences" -p drillstring --target "$target"
 # glibc asks for more: see docs/without-rust.md.
 mkdir "$folder/licences/glibc"
 for file in /usr/share/doc/libc6-dev/copyright /usr/share/common-licenses/LGPL-2.1 \

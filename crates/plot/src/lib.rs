@@ -40,6 +40,7 @@ mod lettering;
 mod line_styles;
 mod look;
 mod map;
+mod method_styles;
 mod multiples;
 mod names;
 mod numbers;
@@ -69,6 +70,7 @@ pub use map::{
     Band, MapAxis, MapCell, MapChart, MapGroup, MapPanel, MapPoint, Mark, is_within, map_axes,
     map_chart,
 };
+pub use method_styles::method_style;
 pub use multiples::{Multiple, multiples};
 pub use orbits::{Orbit, orbits};
 pub use panels::{Panel, Wall, panels};

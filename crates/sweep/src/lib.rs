@@ -30,7 +30,6 @@ mod commands;
 mod explore;
 mod histories;
 mod map;
-mod method_styles;
 mod program;
 mod report;
 

@@ -15,7 +15,7 @@ use campaign::tables::hand_table::{HandTable, Mistake, NumberError, number};
 use campaign::text_file::{LARGEST_TABLE, read_text, unreadable};
 
 /// What columns of misfits begin with.
-const MISFIT: &str = "misfit_";
+pub(super) const MISFIT: &str = "misfit_";
 
 /// The columns of a `labels.csv` that say how far its cases are from what was recorded.
 ///

@@ -15,9 +15,10 @@ mod results;
 mod tables;
 mod tally;
 mod trace_summary;
+mod typed_rows;
 
 pub use about::About;
-pub use cases::{CaseRows, read_cases, read_measured_cases};
+pub use cases::{CaseRows, FoundByMethods, read_cases, read_measured_cases};
 pub use column_words::column_words;
 pub use failures::FAILURES_HEADER;
 pub use integrity::{Damage, OF_TRACE, PAPER_MAP, PICTURES, TABLES};
@@ -30,3 +31,4 @@ pub use results::TableWriter;
 pub use tables::ResultTables;
 pub use tally::Tally;
 pub use trace_summary::{LimitSummary, TraceSummary};
+pub use typed_rows::{TypedColumns, TypedRow, typed_rows};

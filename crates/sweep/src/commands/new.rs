@@ -6,11 +6,9 @@ use anyhow::{Result, bail};
 
 use super::status::{Status, UsageError};
 use super::terminal::say;
+use campaign::sweep_file::TEMPLATE;
 use campaign::words::shell_word;
 use results::files::write_atomically;
-
-/// The file, which runs as it is. A test switches on each of its settings.
-const TEMPLATE: &str = include_str!("new.toml");
 
 /// Writes a commented sweep file.
 pub fn new(path: &Path, force: bool) -> Result<Status> {

@@ -32,4 +32,3 @@ pub use picture::{MapDrawing, drawing};
 pub use probability::{Probabilities, probability_picture};
 pub use symbol::symbol_of;
 pub use window::{WindowView, window_picture};
-pub use words::meanings;
