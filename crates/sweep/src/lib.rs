@@ -55,7 +55,9 @@ pub fn main() -> ExitCode {
         Command::Merge { folders, out } => commands::merge::merge(&folders, &out, terminal),
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
         Command::Explore(arguments) => commands::explore::explore(&arguments, terminal),
-        Command::Summary { folder } => commands::report::summary(&folder, terminal),
+        Command::Summary { folder, document } => {
+            commands::report::summary(&folder, document.json, terminal)
+        }
         Command::Export(arguments) => commands::export::export(&arguments, terminal),
         Command::Analyse(arguments) => commands::analyse::analyse(&arguments, terminal),
         Command::Window(arguments) => commands::window::window(&arguments, terminal),

@@ -157,10 +157,13 @@ pub enum Command {
         it shows repeats what is on it.")]
     Explore(ExploreArguments),
     /// Say in the terminal what a results folder holds
-    #[command(after_help = "Example:\n  sweep summary results/fig09")]
+    #[command(after_help = "Examples:\n  sweep summary results/fig09\n  \
+        sweep summary results/fig09 --json | jq .agreement")]
     Summary {
         /// A results folder, of an unfinished run too
         folder: PathBuf,
+        #[command(flatten)]
+        document: DocumentArguments,
     },
     /// Write the labels of a results folder in another format
     #[command(
@@ -480,6 +483,8 @@ pub struct InspectArguments {
     #[arg(long)]
     pub csv: bool,
     #[command(flatten)]
+    pub document: DocumentArguments,
+    #[command(flatten)]
     pub picture: PictureArguments,
     #[command(flatten)]
     pub work: WorkArguments,
@@ -500,6 +505,14 @@ pub struct ExploreArguments {
     pub case: usize,
     #[command(flatten)]
     pub memory: MemoryArguments,
+}
+
+/// Who reads what a command says.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct DocumentArguments {
+    /// Print one JSON document, for programs, instead of lines for people
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Whether a file may be lost.
@@ -552,6 +565,8 @@ pub struct AnalyseArguments {
     /// Which regime to draw, by its label [default: stick-slip, sustained whirl]
     #[arg(long, value_name = "LABEL", value_parser = parse_regime, requires = "picture")]
     pub regime: Option<Label>,
+    #[command(flatten)]
+    pub document: DocumentArguments,
 }
 
 /// Arguments of `window`.
@@ -582,6 +597,8 @@ pub struct WindowArguments {
     /// The part of either axis that the best point keeps from every limit
     #[arg(long, default_value_t = 0.05, value_parser = parse_part)]
     pub clearance: f64,
+    #[command(flatten)]
+    pub document: DocumentArguments,
     /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,

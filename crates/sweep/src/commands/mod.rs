@@ -7,6 +7,7 @@ mod choosing;
 mod contacts;
 mod cost;
 mod csv_table;
+mod document;
 mod drawing;
 pub mod explore;
 pub mod export;
