@@ -45,7 +45,11 @@ pub fn main() -> ExitCode {
     let arguments = Cli::of_program();
     let terminal = Terminal::of(&arguments.command);
     let result = commands::stop::listen(terminal).and_then(|()| match arguments.command {
-        Command::New { file, force } => commands::new::new(&file, force),
+        Command::New {
+            file,
+            schema,
+            force,
+        } => commands::new::new(&file, schema, force),
         Command::Run(arguments) => commands::run::run(&arguments, terminal),
         Command::Check(arguments) => commands::check::check(&arguments, terminal),
         Command::Reference(arguments) => commands::reference::reference(&arguments, terminal),

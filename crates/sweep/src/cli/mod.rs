@@ -82,6 +82,9 @@ pub enum Command {
         /// The file to write
         #[arg(default_value = "my-sweep.toml")]
         file: PathBuf,
+        /// Write sweep.schema.json next to it, by which editors complete its keys
+        #[arg(long)]
+        schema: bool,
         /// Write over a file that is there
         #[arg(long)]
         force: bool,
