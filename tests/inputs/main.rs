@@ -7,6 +7,7 @@ mod extremes;
 mod files;
 mod random_axes;
 mod schema;
+mod standard_input;
 
 #[allow(dead_code, reason = "other test programs use more of it")]
 #[path = "../support/refusals.rs"]

@@ -4,12 +4,14 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::values::sweep_file;
 use super::{MemoryArguments, OverwriteArguments};
 
 /// Arguments of `check`.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// The sweep file that gives the setting
+    /// The sweep file that gives the setting, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// Reference labels: columns case, method, the axes, torsion
     pub reference: PathBuf,

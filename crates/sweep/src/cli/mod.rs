@@ -28,7 +28,7 @@ use campaign::quantities::Axis;
 use campaign::sweep_file::MethodName;
 use values::{
     parse_axes, parse_length, parse_order, parse_part, parse_picture, parse_range, parse_regime,
-    parse_setting, parse_width,
+    parse_setting, parse_width, sweep_file,
 };
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
@@ -224,7 +224,8 @@ pub enum Command {
 /// Arguments of `run`.
 #[derive(Debug, Args)]
 pub struct RunArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// Results folder [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
@@ -397,7 +398,8 @@ pub struct PlotArguments {
 /// Arguments of `simulate`.
 #[derive(Debug, Args)]
 pub struct SimulateArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// Which of the sweep's cases, from 0; several are drawn together
     #[arg(long, value_name = "CASES", value_delimiter = ',', default_value = "0")]
@@ -457,7 +459,8 @@ impl FilmArguments {
 /// Arguments of `inspect`.
 #[derive(Debug, Args)]
 pub struct InspectArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// Folder for pictures and tables [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
@@ -496,7 +499,8 @@ pub struct InspectArguments {
 /// Arguments of `explore`.
 #[derive(Debug, Args)]
 pub struct ExploreArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// The page
     #[arg(long, default_value = "explore.html")]
@@ -575,7 +579,8 @@ pub struct AnalyseArguments {
 /// Arguments of `window`.
 #[derive(Debug, Args)]
 pub struct WindowArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// Results folders of its string [default: results/NAME, by the name of the sweep file]
     pub folders: Vec<PathBuf>,

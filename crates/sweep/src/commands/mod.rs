@@ -12,6 +12,7 @@ mod drawing;
 pub mod explore;
 pub mod export;
 mod folder;
+mod input;
 pub mod inspect;
 mod listed;
 mod margin;

@@ -10,7 +10,7 @@ use campaign::labels::LabelTable;
 use campaign::plan::Sweep;
 use campaign::quantities::{Axis, TORQUE, WIDTH};
 use campaign::records::{Certainty, Record};
-use campaign::words::shell_word;
+use campaign::words::file_word;
 use serde_json::json;
 
 use super::controls::Control;
@@ -137,7 +137,7 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         "torque": shown(&units.of(&TORQUE).kilo()),
         "width": shown(&units.of(&WIDTH)),
         "map": map,
-        "command": format!("sweep simulate {} --case {case} --methods {}", shell_word(&path), own[0]),
+        "command": format!("sweep simulate {} --case {case} --methods {}", file_word(&path), own[0]),
     }))
 }
 

@@ -13,6 +13,7 @@ use serde_json::json;
 
 use super::choosing::choose;
 use super::document::document;
+use super::input::read_text;
 use super::listed::Listed;
 use super::margin::margin_of;
 use super::outputs::{Output, refuse_to_lose};
@@ -24,7 +25,6 @@ use crate::cli::{CheckArguments, CheckFormat};
 use campaign::Campaign;
 use campaign::plan::Sweep;
 use campaign::records::Record;
-use campaign::text_file::read_text;
 use comparison::{FoundRecords, compare};
 use junit::junit_of_error;
 use reference::{cases_of, read_reference};
