@@ -5,6 +5,7 @@ mod bad_input;
 mod bha_sheet;
 mod extremes;
 mod files;
+mod listed_results;
 mod random_axes;
 mod schema;
 mod standard_input;
