@@ -10,6 +10,7 @@ use campaign::labels::LabelTable;
 use campaign::plan::Sweep;
 use campaign::quantities::{Axis, TORQUE, WIDTH};
 use campaign::records::{Certainty, Record};
+use campaign::sweep_file::FileContent;
 use campaign::words::file_word;
 use serde_json::json;
 
@@ -107,9 +108,14 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         "texts": explored.texts,
         "methods": methods.collect::<Vec<_>>(),
     });
-    // What was chosen for an accuracy, or read from a workbook, is in no text.
-    if sweep.choice.is_some() || sweep.sheet.is_some() {
-        opening["sweep"] = serde_json::to_value(&sweep.content)?;
+    // What was chosen for an accuracy, or read from a workbook, is in no text; and engines of earlier
+    // versions do not know a name.
+    if sweep.choice.is_some() || sweep.sheet.is_some() || sweep.content.name.is_some() {
+        let content = FileContent {
+            name: None,
+            ..sweep.content.clone()
+        };
+        opening["sweep"] = serde_json::to_value(&content)?;
     }
     let case = explored.row.case;
     let place = |wanted: &[Axis]| {
