@@ -1,5 +1,6 @@
 //! The repository itself: its structure, its dependencies, its front page and its guide.
 
+mod cluster;
 mod dependencies;
 mod front;
 mod guide;

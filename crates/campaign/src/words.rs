@@ -2,6 +2,7 @@
 //! Files carry every digit instead.
 
 use crate::quantities::{LENGTH, Units};
+use crate::text_file::STANDARD_INPUT;
 
 /// Lines for people are no wider than this, but for what is to be copied whole.
 pub const WIDTH: usize = 80;
@@ -66,6 +67,15 @@ pub fn shell_word(path: &str) -> String {
         format!("{dash}{path}")
     } else {
         format!("'{dash}{}'", path.replace('\'', r"'\''"))
+    }
+}
+
+/// A sweep file as a shell takes it, and then a command: `-` where it was read from standard input.
+pub fn file_word(file: &str) -> String {
+    if file == STANDARD_INPUT {
+        "-".to_owned()
+    } else {
+        shell_word(file)
     }
 }
 

@@ -9,6 +9,18 @@ use super::column::{
 use super::field::Field;
 use super::verdict::MotionVerdict;
 
+/// How the columns of what cases are held against begin.
+pub const MISFIT: &str = "misfit_";
+
+/// What version 0.1.0 called `predicted`.
+pub const OLD_PREDICTED: &str = "foretold";
+
+/// Whether a column of this name says what a run has found, or of which row, and is no axis.
+pub fn is_of_results(name: &str) -> bool {
+    let is_first = ["case", "method", OLD_PREDICTED].contains(&name);
+    is_first || name.starts_with(MISFIT) || COLUMNS.iter().any(|column| column.name == name)
+}
+
 /// All columns of results, in their order. Those of what cases are held against, which a sweep
 /// names itself, follow [`Group::String`].
 pub static COLUMNS: &[ResultColumn] = &[

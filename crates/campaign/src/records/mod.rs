@@ -9,7 +9,9 @@ mod record;
 mod verdict;
 
 pub use column::{Group, Needs, RecordRow, ResultColumn, to_kn, to_mm, to_rpm, to_turns};
-pub use columns::{COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES};
+pub use columns::{
+    COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, OLD_PREDICTED, is_of_results,
+};
 pub use field::{Field, Kind};
 pub use measure::Measure;
 pub use record::{ByStart, Failure, Found, Record, certified};

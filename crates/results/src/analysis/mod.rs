@@ -17,7 +17,7 @@ pub use counts::Counts;
 #[cfg(test)]
 pub use counts::Group;
 pub use indices::{DRAWN, IndexUnavailable, Indices, LEAST_BLOCKS};
-pub use interval::{Interval, cases_for, wilson};
+pub use interval::{Interval, more_cases, wilson};
 pub use of_tables::{Analysis, NoAnalysis, blocks, count_cases, size_of_blocks};
 pub use rows::{COUNT_COLUMNS, CountRow, INDEX_COLUMNS, IndexRow, count_rows, index_rows};
 pub use sensitivity::sensitivity;

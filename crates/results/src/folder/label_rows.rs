@@ -7,15 +7,14 @@ use sim::{Label, Labels, Motion, PerMotion};
 
 use super::label_row::LabelRow;
 use super::recorded_rows::RecordedRows;
-use campaign::records::{Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, Measure, ResultColumn};
+use campaign::records::{
+    Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, Measure, OLD_PREDICTED, ResultColumn,
+};
 
 use campaign::quantities::Axis;
 use campaign::sweep_file::nearest;
 use campaign::tables::hand_table::{HandTable, Mistake, NumberError, number};
 use campaign::text_file::{LARGEST_TABLE, read_text, unreadable};
-
-/// What columns of misfits begin with.
-pub(super) const MISFIT: &str = "misfit_";
 
 /// The columns of a `labels.csv` that say how far its cases are from what was recorded.
 ///
@@ -115,8 +114,7 @@ impl LabelColumns {
                 .map(|&axis| column(&axis.name()).map(|place| (axis, place)))
                 .collect::<Result<_, _>>()?,
             labels: of_motions(ResultColumn::label_of)?,
-            // As version 0.1.0 called it.
-            predicted: place("predicted")?.or(place("foretold")?),
+            predicted: place("predicted")?.or(place(OLD_PREDICTED)?),
             misfits: (header.clone().enumerate())
                 .filter(|(_, name)| name.starts_with(MISFIT))
                 .map(|(place, _)| place)

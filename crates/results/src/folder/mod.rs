@@ -28,7 +28,7 @@ pub use manifest::{Manifest, MethodRecord, differences, fingerprint};
 pub use open::{LOG, MANIFEST, NoResults, damaged, refuse_empty};
 pub use records::{RECORDS, RecordWriter, read_records};
 pub use results::TableWriter;
-pub use tables::ResultTables;
+pub use tables::{ResultTables, SoFar};
 pub use tally::Tally;
 pub use trace_summary::{LimitSummary, TraceSummary};
 pub use typed_rows::{TypedColumns, TypedRow, typed_rows};

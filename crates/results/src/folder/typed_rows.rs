@@ -6,10 +6,8 @@ use anyhow::{Context, Result, anyhow};
 use csv::StringRecord;
 
 use campaign::quantities::Axis;
-use campaign::records::{Field, Kind, ResultColumn};
+use campaign::records::{Field, Kind, MISFIT, ResultColumn};
 use campaign::text_file::unreadable;
-
-use super::label_rows::MISFIT;
 
 /// The columns of a table, each with what it holds.
 pub type TypedColumns = Vec<(String, Kind)>;

@@ -9,6 +9,7 @@
 mod analytic;
 mod asked;
 mod best;
+mod by_axis;
 mod chart;
 mod error;
 mod lateral;
@@ -20,6 +21,7 @@ mod standing;
 
 pub use asked::WindowAsked;
 pub use best::{Best, Room};
+pub use by_axis::by_axis;
 pub use chart::{Chart, Drawn, Limit, WINDOW_COLUMNS};
 pub use error::WindowError;
 pub use operating::OperatingWindow;

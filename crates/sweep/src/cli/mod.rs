@@ -28,7 +28,7 @@ use campaign::quantities::Axis;
 use campaign::sweep_file::MethodName;
 use values::{
     parse_axes, parse_length, parse_order, parse_part, parse_picture, parse_range, parse_regime,
-    parse_setting, parse_width,
+    parse_setting, parse_width, sweep_file,
 };
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
@@ -82,6 +82,9 @@ pub enum Command {
         /// The file to write
         #[arg(default_value = "my-sweep.toml")]
         file: PathBuf,
+        /// Write sweep.schema.json next to it, by which editors complete its keys
+        #[arg(long)]
+        schema: bool,
         /// Write over a file that is there
         #[arg(long)]
         force: bool,
@@ -157,10 +160,13 @@ pub enum Command {
         it shows repeats what is on it.")]
     Explore(ExploreArguments),
     /// Say in the terminal what a results folder holds
-    #[command(after_help = "Example:\n  sweep summary results/fig09")]
+    #[command(after_help = "Examples:\n  sweep summary results/fig09\n  \
+        sweep summary results/fig09 --json | jq .agreement")]
     Summary {
         /// A results folder, of an unfinished run too
         folder: PathBuf,
+        #[command(flatten)]
+        document: DocumentArguments,
     },
     /// Write the labels of a results folder in another format
     #[command(
@@ -218,7 +224,8 @@ pub enum Command {
 /// Arguments of `run`.
 #[derive(Debug, Args)]
 pub struct RunArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// Results folder [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
@@ -391,7 +398,8 @@ pub struct PlotArguments {
 /// Arguments of `simulate`.
 #[derive(Debug, Args)]
 pub struct SimulateArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// Which of the sweep's cases, from 0; several are drawn together
     #[arg(long, value_name = "CASES", value_delimiter = ',', default_value = "0")]
@@ -451,7 +459,8 @@ impl FilmArguments {
 /// Arguments of `inspect`.
 #[derive(Debug, Args)]
 pub struct InspectArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// Folder for pictures and tables [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
@@ -480,6 +489,8 @@ pub struct InspectArguments {
     #[arg(long)]
     pub csv: bool,
     #[command(flatten)]
+    pub document: DocumentArguments,
+    #[command(flatten)]
     pub picture: PictureArguments,
     #[command(flatten)]
     pub work: WorkArguments,
@@ -488,7 +499,8 @@ pub struct InspectArguments {
 /// Arguments of `explore`.
 #[derive(Debug, Args)]
 pub struct ExploreArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// The page
     #[arg(long, default_value = "explore.html")]
@@ -500,6 +512,14 @@ pub struct ExploreArguments {
     pub case: usize,
     #[command(flatten)]
     pub memory: MemoryArguments,
+}
+
+/// Who reads what a command says.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct DocumentArguments {
+    /// Print one JSON document, for programs, instead of lines for people
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Whether a file may be lost.
@@ -552,12 +572,15 @@ pub struct AnalyseArguments {
     /// Which regime to draw, by its label [default: stick-slip, sustained whirl]
     #[arg(long, value_name = "LABEL", value_parser = parse_regime, requires = "picture")]
     pub regime: Option<Label>,
+    #[command(flatten)]
+    pub document: DocumentArguments,
 }
 
 /// Arguments of `window`.
 #[derive(Debug, Args)]
 pub struct WindowArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// Results folders of its string [default: results/NAME, by the name of the sweep file]
     pub folders: Vec<PathBuf>,
@@ -582,6 +605,8 @@ pub struct WindowArguments {
     /// The part of either axis that the best point keeps from every limit
     #[arg(long, default_value_t = 0.05, value_parser = parse_part)]
     pub clearance: f64,
+    #[command(flatten)]
+    pub document: DocumentArguments,
     /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,

@@ -7,6 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 
 use super::choosing::choose;
+use super::input::read_text;
 use super::outputs::{Output, refuse_to_lose};
 use super::simulate::not_followed;
 use super::status::{Status, UsageError};
@@ -19,7 +20,6 @@ use crate::histories::history_picture;
 use campaign::Campaign;
 use campaign::engine::RunOptions;
 use campaign::follow::{Following, KeptSystems};
-use campaign::text_file::read_text;
 use plot::Look;
 use results::files::write_atomically;
 

@@ -10,7 +10,8 @@ use campaign::labels::LabelTable;
 use campaign::plan::Sweep;
 use campaign::quantities::{Axis, TORQUE, WIDTH};
 use campaign::records::{Certainty, Record};
-use campaign::words::shell_word;
+use campaign::sweep_file::FileContent;
+use campaign::words::file_word;
 use serde_json::json;
 
 use super::controls::Control;
@@ -107,9 +108,14 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         "texts": explored.texts,
         "methods": methods.collect::<Vec<_>>(),
     });
-    // What was chosen for an accuracy, or read from a workbook, is in no text.
-    if sweep.choice.is_some() || sweep.sheet.is_some() {
-        opening["sweep"] = serde_json::to_value(&sweep.content)?;
+    // What was chosen for an accuracy, or read from a workbook, is in no text; and engines of earlier
+    // versions do not know a name.
+    if sweep.choice.is_some() || sweep.sheet.is_some() || sweep.content.name.is_some() {
+        let content = FileContent {
+            name: None,
+            ..sweep.content.clone()
+        };
+        opening["sweep"] = serde_json::to_value(&content)?;
     }
     let case = explored.row.case;
     let place = |wanted: &[Axis]| {
@@ -137,7 +143,7 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         "torque": shown(&units.of(&TORQUE).kilo()),
         "width": shown(&units.of(&WIDTH)),
         "map": map,
-        "command": format!("sweep simulate {} --case {case} --methods {}", shell_word(&path), own[0]),
+        "command": format!("sweep simulate {} --case {case} --methods {}", file_word(&path), own[0]),
     }))
 }
 

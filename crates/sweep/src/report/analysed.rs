@@ -7,7 +7,7 @@ use super::document::{Block, Section, Table};
 use campaign::quantities::Units;
 use campaign::sweep_file::DesignKind;
 use campaign::words::{counted, short};
-use results::analysis::{Bins, Counts, Interval, MethodBlocks, cases_for, wilson};
+use results::analysis::{Bins, Counts, Interval, MethodBlocks, more_cases, wilson};
 use results::folder::Manifest;
 
 /// The sections about counts: the first in all, then over each axis, then those asked for, which
@@ -90,10 +90,9 @@ fn regimes(counts: &Counts, width: Option<f64>) -> Vec<Block> {
             };
             let mut cells = vec![method.clone(), label.name().to_owned(), count.to_string()];
             cells.extend(ends(interval));
-            cells.extend(width.map(|width| {
-                let needed = cases_for(interval.value, width);
-                needed.saturating_sub(group.all[0]).to_string()
-            }));
+            cells.extend(
+                width.map(|width| more_cases(interval.value, group.all[0], width).to_string()),
+            );
             table.rows.push(cells);
         }
     }

@@ -21,6 +21,7 @@ mod page;
 mod provenance;
 mod results;
 mod sections;
+mod summary;
 mod text;
 
 pub use analysed::analysed_sections;
@@ -32,4 +33,5 @@ pub use live_map::shown;
 pub use page::{is_page, page};
 pub use results::Results;
 pub use sections::sections;
+pub use summary::SummaryFound;
 pub use text::text;

@@ -5,7 +5,8 @@ use sim::{Label, Motion};
 use super::analysed::analysed_sections;
 use super::comparison::{FolderComparison, Unlike};
 use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, table_of};
-use super::limit::{LimitCheck, Limited};
+use super::failures::FailureRow;
+use super::limit::{LimitCheck, Limited, SideCounts};
 use super::provenance::{provenance, time};
 use super::results::Results;
 use campaign::words::{counted, short};
@@ -341,7 +342,7 @@ fn limits(all: &[Results]) -> Vec<Block> {
 }
 
 fn limit_row(check: &LimitCheck) -> Vec<String> {
-    let counts = |[vibrating, quiet]: [usize; 2]| format!("{vibrating} / {quiet}");
+    let counts = |side: SideCounts| format!("{} / {}", side.vibrating, side.quiet);
     let place = |place: Option<f64>| {
         place.map_or_else(|| NOTHING.to_owned(), |place| format!("{place:.3}"))
     };
@@ -363,12 +364,25 @@ fn failures(all: &[Results]) -> Vec<Block> {
         let caption = format!("Failed simulations{}", extent(listed.len(), count));
         let header = ["case", "method", "reason", "repeat with"];
         let mut table = Table::new(named(all, results, caption), header);
-        table
-            .rows
-            .extend(listed.iter().map(|failure| failure.to_vec()));
+        table.rows.extend(listed.iter().map(failure_cells));
         Block::Table(table)
     };
     all.iter().map(of_folder).collect()
+}
+
+fn failure_cells(failure: &FailureRow) -> Vec<String> {
+    let FailureRow {
+        case,
+        method,
+        reason,
+        repeat_with,
+    } = failure;
+    vec![
+        case.to_string(),
+        method.clone(),
+        reason.clone(),
+        repeat_with.clone(),
+    ]
 }
 
 fn between(all: &[Results], comparisons: &[Result<FolderComparison, Unlike>]) -> Vec<Block> {

@@ -12,7 +12,7 @@ use super::opening::opening;
 use crate::map::MapDrawing;
 use campaign::quantities::{Axis, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
-use campaign::words::shell_word;
+use campaign::words::file_word;
 use plot::{MapAxis, map_axes};
 use results::folder::{Manifest, ResultTables, column_words};
 
@@ -68,7 +68,15 @@ pub fn data(tables: &ResultTables, drawing: &MapDrawing, room: usize) -> Result<
 
 /// What simulates a case, before and after its number.
 fn command(manifest: &Manifest) -> [String; 2] {
-    let file = shell_word(&format!("{}.toml", manifest.name));
+    let file = manifest
+        .sweep_file
+        .as_ref()
+        .and_then(|file| file.file_name());
+    let file = file.map_or_else(
+        || format!("{}.toml", manifest.name),
+        |name| name.to_string_lossy().into_owned(),
+    );
+    let file = file_word(&file);
     let options = manifest.options;
     let after = [
         (options.full, " --full"),
