@@ -151,7 +151,7 @@ def test_a_grid_of_three_axes_is_cut_in_units_of_the_file(tmp_path):
     assert weights.max() <= 80 / 4.44 and len(ax.get_title()) > 3
 
 
-def test_what_cannot_be_drawn_is_refused_in_words(table):
+def test_wrong_arguments_are_refused_in_words(table):
     with pytest.raises(ds.DrillstringError, match="is no column: there are case, method"):
         table.plot(y="period")
     with pytest.raises(ds.DrillstringError, match="motion \"axial\": not torsion or lateral"):
