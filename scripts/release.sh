@@ -31,7 +31,8 @@ name=drillstring-sweep-$version-x86_64-linux
     refuse "there is no libc.a to link with: it is in libc6-dev on Debian, glibc-static on Fedora"
 # Of a release, the engine of the pages has to be made from its sources.
 scripts/renew-page-engine.sh --check
-cargo rustc --release --locked -p sweep --bin sweep -- \
+# With what `sweep export --format parquet` needs.
+cargo rustc --release --locked -p sweep --bin sweep --features parquet -- \
     -C target-feature=+crt-static -C strip=symbols
 sweep=${CARGO_TARGET_DIR:-target}/release/sweep
 
@@ -46,7 +47,7 @@ cp crates/plot/src/fonts/LICENSE* "$folder/LICENSE-DEJAVU"
 cp -R docs sweeps "$folder/"
 cp scripts/slurm.sh "$folder/scripts/"
 # What the program is built from asks to be named with its licence.
-cargo tree --locked -p sweep --edges normal --target "$target" --prefix none --format '{p}' |
+cargo tree --locked -p sweep --features parquet --edges normal --target "$target" --prefix none --format '{p}' |
     sed -n 's/ (\*)$//; s/^\([^ ]*\) v\([^ ]*\)$/\1-\2/p' | LC_ALL=C sort -u |
     while read -r package; do
         mkdir -p "$folder/licences/$package"
