@@ -31,7 +31,8 @@ name=drillstring-sweep-$version-x86_64-linux
     refuse "there is no libc.a to link with: it is in libc6-dev on Debian, glibc-static on Fedora"
 # Of a release, the engine of the pages has to be made from its sources.
 scripts/renew-page-engine.sh --check
-cargo rustc --release --locked -p drillstring --bin sweep -- \
+# With what `sweep export --format parquet` needs.
+cargo rustc --release --locked -p drillstring --bin sweep --features parquet -- \
     -C target-feature=+crt-static -C strip=symbols
 sweep=${CARGO_TARGET_DIR:-target}/release/sweep
 
@@ -45,7 +46,7 @@ cp README.md ARCHITECTURE.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE-*
 cp crates/plot/src/fonts/LICENSE* "$folder/LICENSE-DEJAVU"
 cp -R docs sweeps "$folder/"
 cp scripts/slurm.sh "$folder/scripts/"
-scripts/licences.sh "$folder/licences" -p drillstring --target "$target"
+scripts/licences.sh "$folder/licences" -p drillstring --features parquet --target "$target"
 # glibc asks for more: see docs/without-rust.md.
 mkdir "$folder/licences/glibc"
 for file in /usr/share/doc/libc6-dev/copyright /usr/share/common-licenses/LGPL-2.1 \

@@ -32,7 +32,10 @@ answers() {
     "$@" /sweep new --force my-sweep.toml
     "$@" /sweep run my-sweep.toml --out results --fresh
     "$@" /sweep report results
-    for file in labels.csv manifest.json map.png report.html; do
+    "$@" /sweep export results --format parquet
+    "$@" /sweep simulate my-sweep.toml --case 5 --out results/case
+    "$@" /sweep export results/case --table history --format parquet
+    for file in labels.{csv,parquet} manifest.json map.png report.html case/history.parquet; do
         [[ -s $root/results/$file ]]
     done
 }

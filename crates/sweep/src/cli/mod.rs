@@ -7,7 +7,7 @@ mod studies;
 mod values;
 
 pub use check::{CheckArguments, CheckFormat};
-pub use export::{ExportArguments, ExportFormat};
+pub use export::{ExportArguments, ExportFormat, ExportTable};
 pub use reference::ReferenceArguments;
 pub use studies::{
     ContactsArguments, PromisesArguments, StabilityArguments, Study, TradeoffArguments,
@@ -168,10 +168,11 @@ pub enum Command {
         #[command(flatten)]
         document: DocumentArguments,
     },
-    /// Write the labels of a results folder in another format
+    /// Write labels or histories in another format, such as Parquet
     #[command(
-        after_help = "Example:\n  sweep export results/fig09 --format parquet\n\n\
-        Needs a program that is built with it:\n  \
+        after_help = "Examples:\n  sweep export results/fig09 --format parquet\n  \
+        sweep export results/fig10 --table history --format parquet\n\n\
+        Needs a program that is built with it, as those of releases are:\n  \
         cargo install --locked --path crates/sweep --features parquet"
     )]
     Export(ExportArguments),
