@@ -65,7 +65,7 @@ if (await evaluate("data.map !== null")) {
   await shown();
   if (await evaluate(here) === was) faults.push("the dot does not move by arrow keys");
 }
-// A number that is none, and one that no file may have: each is marked where it stands.
+// No number, and one that no file may have: each is marked where it stands.
 const typed = async (axis, value) => {
   await evaluate(`{ const it = document.getElementById("number-${axis}"); it.value = "${value}"; it.dispatchEvent(new Event("input")); it.dispatchEvent(new Event("change")); }`);
   return evaluate(`(() => { const it = document.getElementById("number-${axis}");

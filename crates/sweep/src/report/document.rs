@@ -128,3 +128,8 @@ pub fn named(all: &[Results], results: &Results, text: impl std::fmt::Display) -
         text.to_string()
     }
 }
+
+/// What is said of a name.
+pub fn fact(name: &str, text: String) -> (String, String) {
+    (name.to_owned(), text)
+}

@@ -11,7 +11,7 @@ use campaign::trace::Class;
 use results::folder::CaseRows;
 use results::traced::TracedLimits;
 
-/// Values along either axis that are told apart.
+/// The most cells along either axis of a grid.
 const MOST_VALUES: [usize; 2] = [400, 400];
 
 /// Cells along the axis that is not limited and along the limited one, of cases that lie

@@ -1,6 +1,6 @@
 //! What turns in the hole, in a line each: string, bit, drive, mud, well and wall.
 
-use super::fact;
+use crate::report::document::fact;
 use crate::report::phrases::listed;
 use crate::report::results::Results;
 use campaign::quantities::{Axis, FORCE, INERTIA, LENGTH, StringAxis, TORQUE, Units, WIDTH};

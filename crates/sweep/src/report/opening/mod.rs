@@ -7,7 +7,7 @@ mod found;
 mod marks;
 mod sureness;
 
-use super::document::Block;
+use super::document::{Block, fact};
 use super::results::Results;
 
 /// The opening, folder by folder.
@@ -53,8 +53,4 @@ fn in_the_hole(all: &[Results]) -> Vec<(String, String)> {
         }
     }
     facts
-}
-
-fn fact(name: &str, text: String) -> (String, String) {
-    (name.to_owned(), text)
 }
