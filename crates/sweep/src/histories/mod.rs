@@ -14,6 +14,8 @@ mod spectra;
 mod spectrum;
 mod string_tables;
 mod tables;
+#[cfg(test)]
+mod validation;
 mod whole_string;
 
 pub use contact_map::contact_picture;

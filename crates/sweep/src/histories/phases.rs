@@ -105,7 +105,7 @@ fn surface_speeds(sweep: &Sweep, case: &Case, simulation: &Simulation) -> Vec<f6
 
 /// How far the surface has turned beyond the bit, rad: from the speeds of both by the trapezoidal
 /// rule.
-fn twist(times: &[f64], surface: &[f64], bit: &[f64]) -> Vec<f64> {
+pub fn twist(times: &[f64], surface: &[f64], bit: &[f64]) -> Vec<f64> {
     let mut twist = Vec::with_capacity(times.len());
     let mut sum = 0.0;
     for step in 0..times.len() {
@@ -116,21 +116,4 @@ fn twist(times: &[f64], surface: &[f64], bit: &[f64]) -> Vec<f64> {
         twist.push(sum);
     }
     twist
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The bit turns with speed 1 − cos t below a surface that turns with 1: the string is twisted
-    /// by sin t.
-    #[test]
-    fn val_the_twist_is_the_integral_of_the_difference_of_speeds() {
-        let times: Vec<f64> = (0..=1000).map(|step| 1e-2 * f64::from(step)).collect();
-        let bit: Vec<f64> = times.iter().map(|time| 1.0 - time.cos()).collect();
-        let found = twist(&times, &vec![1.0; times.len()], &bit);
-        for (twist, time) in found.iter().zip(&times) {
-            assert!((twist - time.sin()).abs() < 1e-5, "{twist} at {time}");
-        }
-    }
 }
