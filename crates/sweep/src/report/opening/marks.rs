@@ -71,7 +71,7 @@ fn verdict(
     let side = |end: f64| if value < end { "below" } else { "above" };
     let near = |end: f64| (value - end).abs() < 0.5 * step;
     let by = |end: f64| {
-        let off = number(axis, (value - end).abs(), 0.5 * step, units);
+        let off = number(axis, (value - end).abs(), step, units);
         format!("{off} {} the limit of about {}", side(end), at(end))
     };
     Some(match (whole, none) {
