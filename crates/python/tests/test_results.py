@@ -75,7 +75,8 @@ def test_a_folder_of_an_earlier_version_is_read_with_a_warning(folder, tmp_path)
     manifest = json.loads((old / "manifest.json").read_text())
     del manifest["files"]
     (old / "manifest.json").write_text(json.dumps(manifest))
-    labels = (old / "labels.csv").read_text().replace(",predicted,", ",foretold,", 1)
+    earlier = "foretold"
+    labels = (old / "labels.csv").read_text().replace(",predicted,", f",{earlier},", 1)
     (old / "labels.csv").write_text(labels)
     with pytest.warns(ds.DrillstringWarning, match="not verified"):
         table = ds.Results.read(old).table

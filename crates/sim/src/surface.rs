@@ -45,8 +45,8 @@ impl SurfaceProfile {
         }
     }
 
-    /// The speed at a time, s.
-    pub(crate) fn at(&self, time: f64) -> f64 {
+    /// The speed at a time, s, in parts of that which a scene names.
+    pub fn at(&self, time: f64) -> f64 {
         match self {
             Self::Rise(rise) if time < *rise => (time / rise).max(0.0),
             Self::Rise(_) => 1.0,

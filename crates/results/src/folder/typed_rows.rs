@@ -86,6 +86,8 @@ fn word(kind: Kind) -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use campaign::records::OLD_PREDICTED;
+
     use super::*;
 
     fn read(table: &str) -> Result<(TypedColumns, Vec<TypedRow>)> {
@@ -97,9 +99,11 @@ mod tests {
 
     #[test]
     fn every_column_has_its_kind_and_its_present_name() {
-        let table = "case,method,friction,torsion,sticks,period_s,misfit_a_rpm,torsion_certified,\
-                     foretold,other\n7,held,0.5,smooth,,1e-3,2,true,smooth,x\n";
-        let (columns, rows) = read(table).expect("a table");
+        let table = format!(
+            "case,method,friction,torsion,sticks,period_s,misfit_a_rpm,torsion_certified,\
+             {OLD_PREDICTED},other\n7,held,0.5,smooth,,1e-3,2,true,smooth,x\n"
+        );
+        let (columns, rows) = read(&table).expect("a table");
         let kinds: Vec<Kind> = columns.iter().map(|(_, kind)| *kind).collect();
         use Kind::{Count, Flag, Number, Text};
         let expected = [

@@ -11,7 +11,8 @@ use campaign::plan::Sweep;
 use campaign::quantities::{Axis, TORQUE, WIDTH};
 use campaign::records::{Certainty, Record};
 use campaign::sweep_file::FileContent;
-use campaign::words::file_word;
+use campaign::words::{file_word, short, site_title};
+use results::folder::column_words;
 use serde_json::json;
 
 use super::controls::Control;
@@ -23,9 +24,10 @@ const STYLE: [&str; 3] = [
     include_str!("../page/plot.css"),
     include_str!("../page/explore.css"),
 ];
-const SCRIPTS: [&str; 3] = [
+const SCRIPTS: [&str; 4] = [
     include_str!("../page/engine.js"),
     include_str!("../page/plot.js"),
+    include_str!("../page/zoom.js"),
     include_str!("../page/explore.js"),
 ];
 const ENGINE: &[u8] = include_bytes!("../page/engine.wasm.gz");
@@ -80,9 +82,11 @@ pub fn page(explored: &Explored) -> Result<String> {
 
 /// What scripts bring to life.
 const LIVE: &str = r#"<div id="live" hidden>
-<p id="regime" aria-live="polite"></p>
 <div class="explore">
-<section aria-label="What can be changed"><div id="controls"></div>
+<div class="seen"><p id="regime" aria-live="polite"></p>
+<p id="side" aria-live="polite"></p>
+<div id="lead"></div></div>
+<section class="changed" aria-label="What can be changed"><div id="controls"></div>
 <p><button id="reset" type="button">As in the file</button></p>
 <div id="map" role="application" tabindex="0" aria-label="The limit, with the place of this case: drag it, or move it by arrow keys"></div>
 <p id="lines" class="note" hidden></p></section>
@@ -90,7 +94,7 @@ const LIVE: &str = r#"<div id="live" hidden>
 </div>
 <p><label for="command">The same in a terminal</label> <input id="command" readonly>
 <button id="copy" type="button">Copy as command</button></p>
-<div class="scroll" role="region" aria-label="Row of the case" tabindex="0"><table><caption><span>Row of the case, as in labels.csv</span></caption><tbody id="row"></tbody></table></div>
+<div class="scroll" role="region" aria-label="Row of the case" tabindex="0"><table><caption><span>Numbers of the case, in the units of the file</span></caption><tbody id="row"></tbody></table></div>
 </div>
 "#;
 
@@ -134,7 +138,17 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         None => stick_slip.map(|(torque, speed)| json!({ "axes": [torque, speed] })),
     };
     let units = sweep.content.units;
+    let sites = sweep.setting.sites.distances_from_bit().iter();
+    let header = LabelTable::of(sweep).header();
+    let columns = header.split(',').map(|name| {
+        let (words, unit) = column_words(name, units);
+        let mut column = shown(&unit);
+        column["words"] = words.into();
+        (name.to_owned(), column)
+    });
     Ok(json!({
+        "sites": sites.map(|site| site_title(*site, units)).collect::<Vec<_>>(),
+        "columns": columns.collect::<serde_json::Map<_, _>>(),
         "opening": opening,
         "case": case,
         "method": own[0],
@@ -152,13 +166,26 @@ fn still(explored: &Explored) -> String {
     let labels = LabelTable::of(explored.sweep);
     let row = labels.row(explored.row, Certainty::default());
     let header = labels.header();
-    let mut numbers = Table::new("The case as it is in the file", ["column", "value"]);
+    let units = explored.sweep.content.units;
+    let mut numbers = Table::new("The case as it is in the file", ["what", "value"]);
     let cells = header
         .split(',')
         .zip(row.split(','))
         .filter(|(_, text)| !text.is_empty());
-    let cells = cells.map(|(name, text)| vec![name.to_owned(), text.to_owned()]);
-    numbers.rows = cells.collect();
+    numbers.rows = cells
+        .map(|(name, text)| {
+            let (words, unit) = column_words(name, units);
+            let what = match unit.name.as_str() {
+                "" => words,
+                unit => format!("{words} ({unit})"),
+            };
+            let value = match text.parse() {
+                Ok(value) => short(unit.number(value)),
+                Err(_) => text.replace('_', " "),
+            };
+            vec![what, value]
+        })
+        .collect();
     let picture = STANDARD.encode(explored.picture);
     format!(
         "<div id=\"still\">\n<noscript><p>Scripts are off here: this is the case as it is in the \

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::opening::opening;
 use crate::map::MapDrawing;
-use campaign::quantities::{Axis, TORQUE, Unit, Units, WIDTH};
+use campaign::quantities::{Axis, LENGTH, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
 use campaign::words::file_word;
 use plot::{MapAxis, map_axes};
@@ -50,7 +50,11 @@ pub fn data(tables: &ResultTables, drawing: &MapDrawing, room: usize) -> Result<
         "methods": manifest.method_names(),
         "opening": opening(manifest),
         "full": manifest.options.full,
-        "shown": { "torque": shown(&units.of(&TORQUE)), "width": shown(&units.of(&WIDTH)) },
+        "shown": {
+            "torque": shown(&units.of(&TORQUE)),
+            "width": shown(&units.of(&WIDTH)),
+            "length": shown(&units.of(&LENGTH)),
+        },
         "failures": failures(&tables.folder.join("failures.csv"))?,
     });
     for digits in DIGITS {
