@@ -1,4 +1,15 @@
 //! The torsional regime of a case and the measures behind it (Section 5.2.1).
+//!
+//! What may begin in either regime, and lasts in both, is bistable:
+//!
+//! ```
+//! use sim::{Label, TorsionRegime};
+//!
+//! let regime = TorsionRegime::from_two_starts(TorsionRegime::Smooth, TorsionRegime::StickSlip);
+//! assert_eq!(regime, TorsionRegime::Bistable);
+//! assert_eq!(Label::of_name("bistable"), Some(Label::Torsion(regime)));
+//! assert_eq!(Label::Torsion(regime).is_sustained(), Some(true));
+//! ```
 
 use linear::budget::REAL;
 use serde::{Deserialize, Serialize};
