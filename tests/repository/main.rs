@@ -1,6 +1,7 @@
 //! The repository itself: its structure, its dependencies, its front page and its guide.
 
 mod dependencies;
+mod examples;
 mod front;
 mod guide;
 mod layout;

@@ -14,7 +14,8 @@ pub struct Mud {
 ///
 /// ```
 /// use linear::natural_frequencies::NaturalFrequencies;
-/// use linear::{Bending, Drillstring, Hole, HoleSection, Material, Mud, Section, SurfaceSupport, Tube};
+/// use linear::{Bending, Drillstring, Hole, HoleSection, Material, Mud, Section, SurfaceSupport};
+/// use linear::Tube;
 ///
 /// let steel = Material { shear_modulus: 80e9, density: 7840.0 };
 /// let pipe = Tube { length: 30.0, inner_radius: 0.05, outer_radius: 0.06 };

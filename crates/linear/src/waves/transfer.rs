@@ -18,7 +18,8 @@
 //! let off_by = |cells: usize| -> Result<f64, linear::DrillstringError> {
 //!     let steel = Material { shear_modulus: 80e9, density: 7840.0 };
 //!     let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.06 };
-//!     let string = Drillstring::new(steel, vec![Section { repeat: cells, parts: vec![pipe] }], 0.0)?;
+//!     let section = Section { repeat: cells, parts: vec![pipe] };
+//!     let string = Drillstring::new(steel, vec![section], 0.0)?;
 //!     let network = BendingNetwork::new(&string, bending, SurfaceSupport::Free, &Sites::bit())?;
 //!     let exact = network.at_rate(60.0)[(0, 0)];
 //!     Ok((tip_receptance(&string, &bending, 60.0) / exact - 1.0).norm())
