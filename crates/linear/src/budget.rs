@@ -30,6 +30,7 @@ pub(crate) const COMPLEX: f64 = 16.0;
 
 /// What memory is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum What {
     /// Impulse responses, and the spectra that they are made of.
     Responses,

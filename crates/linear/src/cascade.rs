@@ -63,6 +63,7 @@ const FIRST_BEYOND: f64 = 48.0;
 
 /// A string in pieces, ready to be stepped.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Cascade {
     /// The nodes, from the surface down.
     pub nodes: Sites,
@@ -80,6 +81,7 @@ pub struct Cascade {
 
 /// Taps of the string from the surface, or its drive, to the uppermost node.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Top {
     /// Reference impedance Z, N m s/rad.
     pub impedance: f64,
@@ -99,6 +101,7 @@ pub struct Top {
 
 /// Taps of a piece between two nodes.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Link {
     /// Reference impedance Z, N m s/rad.
     pub impedance: f64,
@@ -112,6 +115,7 @@ pub struct Link {
 
 /// Taps of what hangs below the lowest node.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct End {
     /// Reference impedance Z, N m s/rad.
     pub impedance: f64,

@@ -83,6 +83,7 @@ pub fn torsional_period(string: &Drillstring) -> f64 {
 
 /// How a string swings in its first torsional mode, the surface held and the bit free.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct FirstMode {
     /// Natural frequency ω₁ without damping, rad/s.
     pub frequency: f64,
@@ -265,6 +266,7 @@ const UNDERSHOOT_OF_ROUNDING: f64 = 1e-6;
 
 /// The time scales of stick-slip, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct StickSlipTimes {
     /// τ₁ (Eq. 72): from rest until the torque has wound up to T_s.
     pub first_slip: f64,

@@ -18,6 +18,7 @@ use crate::error::BuildError;
 
 /// A linear method with its parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Method {
     /// The paper's digital filter (Eqs. 39–40).
     Hilbert(Transform),

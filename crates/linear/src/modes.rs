@@ -31,6 +31,7 @@ use crate::waves::network::TorsionNetwork;
 
 /// A mode that swings.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct TorsionalMode {
     /// The pole s, rad/s: amplitudes go as |e^(st)|, and Im s is its angular frequency.
     pub pole: Complex64,

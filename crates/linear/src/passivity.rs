@@ -69,6 +69,7 @@ const END_PART: usize = 4;
 
 /// Where a response is furthest from being positive-real.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct WorstPoint {
     /// The positive-real margin (see [`positive_real_margin`]).
     pub margin: f64,

@@ -52,6 +52,7 @@ pub const SMALL: f64 = 0.5;
 
 /// A number of steps and what it makes of fronts.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Steps {
     /// Steps in the travel time of a wave from the surface to the bit: a whole number, or one a
     /// piece of the lattice.

@@ -33,6 +33,7 @@
 
 /// How a bit that is held fast while the surface turns feels the string.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Sticking {
     /// [`roughness`] of the held torque over the last quarter of the time, in
     /// units of the torque that would set the bit turning with the surface at

@@ -12,6 +12,7 @@ use crate::watch::torsion::TorsionRegime;
 /// A regime of a motion, in the order of their words, which all differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(untagged)]
+#[non_exhaustive]
 pub enum Label {
     /// Of the bit's rotation.
     Torsion(TorsionRegime),

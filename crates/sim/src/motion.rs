@@ -15,6 +15,7 @@ use crate::words::with_words;
 with_words! {
     /// What a label is about. Result files name its column by this word.
     #[derive(PartialOrd, Ord)]
+    #[non_exhaustive]
     pub enum Motion {
         /// How the bit turns.
         Torsion = "torsion",

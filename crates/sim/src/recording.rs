@@ -28,6 +28,7 @@ struct Samples {
 
 /// Why samples are no recording.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum RecordingError {
     /// There is none, or not one value for each time.
     #[error("a recording has a value at each of at least two times")]

@@ -61,6 +61,7 @@ use crate::system::System;
 
 /// One step of all sites that may bear a load.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Step<S> {
     /// Time, s.
     pub time: f64,

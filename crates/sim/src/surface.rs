@@ -21,6 +21,7 @@ use crate::sampling::Sampling;
 /// # Ok::<(), sim::RecordingError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum SurfaceProfile {
     /// It rises evenly to its speed in this time, s; at once where that is zero.
     Rise(f64),

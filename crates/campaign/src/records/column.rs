@@ -140,14 +140,6 @@ impl ResultColumn {
         motion.name()
     }
 
-    /// The column of whether that label is certain.
-    pub fn certainty_of(motion: Motion) -> &'static str {
-        match motion {
-            Motion::Torsion => "torsion_certified",
-            Motion::Lateral => "lateral_certified",
-        }
-    }
-
     /// What a row has in it.
     pub fn field(&self, row: &RecordRow) -> Field<'static> {
         (self.field)(row)
@@ -166,7 +158,7 @@ impl ResultColumn {
             (Group::String, _) => Some(Needs::StringTorque),
             (_, Some(Motion::Torsion)) => Some(Needs::Bit),
             (_, Some(Motion::Lateral)) => Some(Needs::Wall),
-            (_, None) => None,
+            _ => None,
         }
     }
 }

@@ -40,7 +40,7 @@ pub enum MotionVerdict {
 pub fn verdict(outcome: &Outcome, above_limit: Option<f64>) -> Verdict {
     Verdict::from_fn(|motion| {
         let of = outcome.measures[motion].as_ref()?;
-        Some(MotionVerdict::of(of, above_limit))
+        MotionVerdict::of(of, above_limit)
     })
 }
 
@@ -66,8 +66,9 @@ pub fn certainty(labels: Labels, certified: Labels) -> Certainty {
 }
 
 impl MotionVerdict {
-    fn of(measures: &Measures, above_limit: Option<f64>) -> Self {
-        match *measures {
+    /// `None` of a motion that is certified by nothing here.
+    fn of(measures: &Measures, above_limit: Option<f64>) -> Option<Self> {
+        Some(match *measures {
             Measures::Torsion(torsion) => Self::Torsion {
                 regime: torsion.regime,
                 above_limit,
@@ -82,7 +83,8 @@ impl MotionVerdict {
                 contact_fraction,
                 precession_rate,
             },
-        }
+            _ => return None,
+        })
     }
 
     /// The label.
@@ -107,7 +109,7 @@ impl MotionVerdict {
             } => match regime {
                 TorsionRegime::StickSlip | TorsionRegime::Bistable => Some(vec![-above_limit?]),
                 TorsionRegime::Smooth => Some(vec![above_limit?]),
-                TorsionRegime::Stuck => None,
+                _ => None,
             },
             Self::Lateral {
                 regime,
@@ -121,6 +123,7 @@ impl MotionVerdict {
                     LateralRegime::TransientContact => vec![-lasting],
                     LateralRegime::BackwardWhirl => vec![lasting, -precession_rate],
                     LateralRegime::ForwardWhirl => vec![lasting, precession_rate],
+                    _ => return None,
                 })
             }
         }

@@ -1,6 +1,7 @@
 //! `methods` and `[method]`: the linear methods and their parameters.
 
 use clap::ValueEnum;
+use linear::Method;
 use linear::method::{FiniteElement, Transform};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,6 +26,12 @@ pub enum MethodName {
 }
 
 impl MethodName {
+    /// That of a method; every method of a sweep has one.
+    pub fn of(method: &Method) -> Option<Self> {
+        let mut all = Self::value_variants().iter().copied();
+        all.find(|name| name.name() == method.name())
+    }
+
     /// The name used in files and on the command line.
     pub fn name(self) -> &'static str {
         match self {

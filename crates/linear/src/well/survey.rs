@@ -23,6 +23,7 @@ pub struct Station {
 
 /// Why stations are no survey. Stations are counted from 0.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SurveyError {
     /// There are not two.
     #[error("a survey has at least two stations")]

@@ -232,6 +232,7 @@ impl Contact {
 
 /// A step in contact without an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum ContactError {
     /// The position or the speed of the string would not be finite, or its square would not.
     #[error("the motion is not finite")]

@@ -55,6 +55,7 @@ pub struct PoorCleaning {
 
 /// From weight on bit to the dynamic torque T_d.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Rock {
     /// By the cutting and contact parameters.
     Law(CuttingLaw),
@@ -65,6 +66,7 @@ pub enum Rock {
 
 /// A weight or torque that a rock gives no answer for.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
 pub enum RockError {
     /// No straight lines join the table.
     #[error("a rock's table needs two rows or more, and both columns must increase")]

@@ -25,6 +25,7 @@ use crate::words::with_words;
 
 with_words! {
     /// How the string moved laterally.
+    #[non_exhaustive]
     pub enum LateralRegime {
         /// No site ever touched the wall.
         NoContact = "no_contact",
@@ -41,6 +42,7 @@ with_words! {
 /// What a person would ask of the lateral motion: of the site that decides the
 /// label, the one that is in contact longest in the closing window.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct LateralMeasures {
     /// The regime.
     pub regime: LateralRegime,

@@ -21,6 +21,7 @@ use crate::words::with_words;
 
 with_words! {
     /// How the bit turned.
+    #[non_exhaustive]
     pub enum TorsionRegime {
         /// Never slipped in the time simulated: undetermined.
         Stuck = "stuck",
@@ -48,6 +49,7 @@ impl TorsionRegime {
 
 /// What a person would ask of the bit's motion.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct TorsionMeasures {
     /// The regime.
     pub regime: TorsionRegime,

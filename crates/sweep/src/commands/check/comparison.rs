@@ -95,6 +95,7 @@ fn difference(
         _ if sweep.design.varies_string() => None,
         Motion::Torsion => distance_in_torsion(sweep, systems, expected, record),
         Motion::Lateral => distance_of_whirl(sweep, expected),
+        _ => None,
     };
     format!(
         "expected {}, found {label}{}",

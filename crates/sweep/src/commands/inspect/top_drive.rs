@@ -60,7 +60,9 @@ impl<'a> DriveView<'a> {
 
     /// Its numbers.
     pub fn words(&self, units: Units) -> String {
-        let FirstMode { frequency, inertia } = self.first;
+        let FirstMode {
+            frequency, inertia, ..
+        } = self.first;
         let uppermost = &self.string.sections()[0].parts[0];
         let [inertia_unit, gain, integral_gain] =
             [&INERTIA, &PROPORTIONAL_GAIN, &INTEGRAL_GAIN].map(|twin| units.of(twin));
