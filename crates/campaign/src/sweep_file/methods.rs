@@ -56,3 +56,25 @@ pub struct MethodTables {
     /// Parameters of `finite-element`.
     pub finite_element: FiniteElement,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_method_is_found_by_its_name() {
+        let methods = [
+            Method::Held,
+            Method::Quadrature,
+            Method::Hilbert(Transform::default()),
+            Method::FiniteElement(FiniteElement::default()),
+            Method::DirectIdft(Transform::default()),
+            Method::Trapezoidal,
+        ];
+        assert_eq!(methods.len(), MethodName::value_variants().len());
+        for method in methods {
+            let name = MethodName::of(&method).map(MethodName::name);
+            assert_eq!(name, Some(method.name()));
+        }
+    }
+}
