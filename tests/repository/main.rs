@@ -2,6 +2,7 @@
 
 mod cluster;
 mod dependencies;
+mod examples;
 mod front;
 mod guide;
 mod layout;

@@ -1,5 +1,15 @@
 //! Words and numbers for people: plurals, a few digits, lines that fit a terminal.
 //! Files carry every digit instead.
+//!
+//! ```
+//! use campaign::words::{counted, short, site_title};
+//! use campaign::quantities::Units;
+//!
+//! assert_eq!(counted(1, "case"), "1 case");
+//! assert_eq!(counted(4225, "case"), "4225 cases");
+//! assert_eq!(short(672.073_165), "672.1");
+//! assert_eq!(site_title(30.48, Units::Field), "100 ft above the bit");
+//! ```
 
 use crate::quantities::{LENGTH, Units};
 use crate::text_file::STANDARD_INPUT;

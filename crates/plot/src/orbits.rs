@@ -53,6 +53,23 @@ pub struct Orbit {
 
 /// Draws orbits side by side, in rows where the picture has no room for all, with one title and
 /// one legend, which says what circles and marked ends are.
+///
+/// A centre that goes round along the wall of its hole.
+///
+/// ```
+/// use plot::{Axis, Look, Orbit, Series, orbits};
+///
+/// let angles = (0..100).map(|index| 0.1 * f64::from(index));
+/// let path = angles.map(|angle| (20.0 * angle.cos(), 20.0 * angle.sin()));
+/// let orbit = Orbit {
+///     axes: ["x (mm)", "y (mm)"].map(Axis::linear),
+///     series: vec![Series::new("the bit", path.collect())],
+///     circles: vec![20.0],
+///     last: vec![10],
+/// };
+/// let picture = orbits(&Look::default(), "Whirl", ["clearance", "the end"], &[orbit]);
+/// assert!(picture.svg().contains("clearance"));
+/// ```
 pub fn orbits(
     look: &Look,
     title: &str,

@@ -295,10 +295,21 @@ const DONE: &str = "ok";
 /// That of one without.
 pub const FAILED: &str = "failed";
 
+/// The end of the names of such columns.
+const CERTIFIED: &str = "_certified";
+
 impl ResultColumn {
     /// The column of a name.
     pub fn named(name: &str) -> Option<&'static Self> {
         COLUMNS.iter().find(|column| column.name == name)
+    }
+
+    /// The column of whether the label of a motion is certain.
+    pub fn certainty_of(motion: Motion) -> &'static str {
+        let of_motion = COLUMNS.iter().filter(|it| it.motion == Some(motion));
+        let mut names = of_motion.map(|it| it.name);
+        let certified = names.find(|name| name.ends_with(CERTIFIED));
+        certified.unwrap_or(CERTIFIED)
     }
 }
 

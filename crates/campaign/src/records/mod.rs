@@ -1,5 +1,16 @@
 //! What becomes of a case by a method: its record, what that makes certain, and the table of the
 //! columns in which it is written, read, drawn and handed to Python.
+//!
+//! ```
+//! use campaign::quantities::Units;
+//! use campaign::records::ResultColumn;
+//! use sim::Motion;
+//!
+//! let column = ResultColumn::named("peak_radius_mm").ok_or("it is measured")?;
+//! assert_eq!((column.words, column.motion), ("Greatest radius", Some(Motion::Lateral)));
+//! assert_eq!(column.unit(Units::Field).name, "in");
+//! # Ok::<(), &str>(())
+//! ```
 
 mod column;
 mod columns;

@@ -8,6 +8,7 @@ use crate::sites::Sites;
 
 /// What is wanted of one channel.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum ChannelRequest {
     /// Speeds of all sites, from the surface and from torques.
     Torsion {

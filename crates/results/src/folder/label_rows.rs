@@ -45,6 +45,7 @@ pub struct LabelColumns {
 
 /// What is wrong with a row of labels, or with the names of its columns.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum LabelError {
     /// A column is missing.
     #[error("has no column `{0}`")]

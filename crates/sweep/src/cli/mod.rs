@@ -34,6 +34,7 @@ use values::{
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
 #[derive(Debug, Parser)]
 #[command(
+    name = "sweep",
     version = env!("SWEEP_VERSION"),
     max_term_width = 80,
     after_help = "Examples: a map of your own in two commands\n  \

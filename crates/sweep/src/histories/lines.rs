@@ -127,6 +127,7 @@ fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {
             Ended::Settled => "settled",
             Ended::Certain => "certain",
             Ended::End => "at its end",
+            other => other.name(),
         };
         let (early, late) = (simulation.answer.simulated, followed.simulated);
         for measures in to_end {

@@ -153,7 +153,9 @@ impl<'a> DriveView<'a> {
 
     /// Its numbers.
     pub fn numbers(&self) -> InspectedDrive {
-        let FirstMode { frequency, inertia } = self.first;
+        let FirstMode {
+            frequency, inertia, ..
+        } = self.first;
         let uppermost = &self.string.sections()[0].parts[0];
         InspectedDrive {
             inertia_kg_m2: self.drive.inertia,

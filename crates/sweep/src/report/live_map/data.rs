@@ -113,10 +113,7 @@ fn panels(drawing: &MapDrawing, place: impl Fn(Axis) -> Option<usize>) -> Value 
         let values = combination.map_or(&[][..], Vec::as_slice);
         let held = drawing.others.iter().zip(values);
         let held = held.map(|(&axis, value)| json!([place(axis), value]));
-        let motion = motion.map(|motion| match motion {
-            Motion::Torsion => "torsion",
-            Motion::Lateral => "lateral",
-        });
+        let motion = motion.map(Motion::name);
         json!({ "motion": motion, "held": held.collect::<Value>() })
     });
     panels.collect()
