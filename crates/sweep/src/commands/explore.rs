@@ -15,7 +15,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::ExploreArguments;
-use crate::explore::{Explored, controls, page, whirl_lines};
+use crate::explore::{Explored, controls, methods_of_page, page, whirl_lines};
 use crate::histories::history_picture;
 use campaign::Campaign;
 use campaign::engine::RunOptions;
@@ -41,7 +41,9 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         )));
     }
     let refused = |words: String| UsageError(format!("{}: {words}", file.display()));
-    let chosen = campaign.cases(&[arguments.case], &[], &[0]);
+    let (method, slow) = methods_of_page(&campaign.sweep);
+    let slow = slow.map(|place| campaign.sweep.methods[place].name());
+    let chosen = campaign.cases(&[arguments.case], &[], &[method]);
     let chosen = match chosen.map_err(|error| refused(error.to_string()))? {
         Ok(chosen) => chosen,
         Err(rows) => {
@@ -74,6 +76,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
     let html = page(&Explored {
         file,
         sweep: &sweep,
+        slow,
         texts,
         controls: &controls,
         whirl: whirl_lines(&sweep, &controls)?,

@@ -12,6 +12,7 @@ use campaign::quantities::{Axis, TORQUE, WIDTH};
 use campaign::records::{Certainty, Record};
 use campaign::sweep_file::FileContent;
 use campaign::words::{file_word, short, site_title};
+use linear::Method;
 use results::folder::column_words;
 use serde_json::json;
 
@@ -35,12 +36,24 @@ const ENGINE: &[u8] = include_bytes!("../page/engine.wasm.gz");
 /// Quickest to build where the string changes as a slider moves.
 const QUICK: &str = "quadrature";
 
+/// Of the methods of a sweep, by their places: the one that its page simulates by, and one that takes
+/// minutes to build in a browser. It is the first of the file, but of a string with friction all along
+/// it one without a lattice of waves in each piece.
+pub fn methods_of_page(sweep: &Sweep) -> (usize, Option<usize>) {
+    let is_slow = |method: &Method| sweep.setting.friction.is_some() && *method == Method::Held;
+    let slow = sweep.methods.iter().position(is_slow);
+    let quick = sweep.methods.iter().position(|method| !is_slow(method));
+    (quick.unwrap_or(0), slow)
+}
+
 /// What a page is made of.
 pub struct Explored<'a> {
     /// The sweep file.
     pub file: &'a Path,
-    /// The sweep.
+    /// The sweep, by the method of the page.
     pub sweep: &'a Sweep,
+    /// A method of the sweep file that takes minutes to build in a browser.
+    pub slow: Option<&'static str>,
     /// Every text that was read for it.
     pub texts: BTreeMap<String, String>,
     /// What can be changed.
@@ -153,6 +166,7 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         "case": case,
         "method": own[0],
         "quick": QUICK,
+        "slow": explored.slow,
         "controls": controls,
         "torque": shown(&units.of(&TORQUE).kilo()),
         "width": shown(&units.of(&WIDTH)),

@@ -19,6 +19,9 @@ const changes = () => Object.fromEntries(
 const changesInWords = () =>
   data.controls.filter(({ axis, value }) => values[axis] !== value).map(({ axis, name }) => ` --set ${name}=${values[axis]}`).join("");
 
+/** Of a method that has a lattice of waves to build in each piece of the string. */
+const SLOW = ` Linear systems by ${data.slow} take minutes to build in a page, of a string with friction along it.`;
+
 /** Asks for the case as it now is; of several wishes the last is met. */
 async function redraw(quick) {
   wanted = { quick };
@@ -28,7 +31,7 @@ async function redraw(quick) {
     const { quick: isQuick } = wanted;
     wanted = null;
     const method = isQuick ? data.quick : data.method;
-    const slow = setTimeout(() => { byId("status").textContent = "Simulating …"; }, 250);
+    const slow = setTimeout(() => { byId("status").textContent = `Simulating …${method === data.slow ? SLOW : ""}`; }, 250);
     const request = { case: data.case, set: changes(), method, quick: isQuick };
     try {
       const answer = await engine.simulate(request);
@@ -203,6 +206,7 @@ function show(answer, lines, method, isQuick) {
   byId("status").textContent = isQuick && method !== data.method
     ? `By ${method} while you drag; by ${data.method} when you let go. ${Math.round(milliseconds)} ms.`
     : `By ${method}, as sweep simulate has it. ${Math.round(milliseconds)} ms.`;
+  if (data.slow && method !== data.slow) byId("status").textContent += SLOW;
   byId("regime").textContent = [row.torsion, row.lateral].filter((label) => label).map(number).join(", ");
   byId("row").replaceChildren();
   for (const [name, value] of Object.entries(row)) {
