@@ -25,8 +25,8 @@ pub fn new(path: &Path, with_schema: bool, force: bool) -> Result<Status> {
     }
     let schema = path.with_file_name(SCHEMA);
     if with_schema {
-        let ours = Output::Beginning(&[SCHEMA_BEGINNING.as_bytes()]);
-        refuse_to_lose(&schema, ours, force)?;
+        let beginnings = [SCHEMA_BEGINNING.as_bytes()];
+        refuse_to_lose(&schema, Output::Beginning(&beginnings), force)?;
         write_atomically(&schema, schema_text().as_bytes())?;
     }
     write_atomically(path, TEMPLATE.as_bytes())?;
