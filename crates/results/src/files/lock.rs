@@ -16,6 +16,7 @@ pub(super) const NAME: &str = ".sweep-lock";
 /// A folder that is kept from other commands.
 #[derive(Debug)]
 pub struct FolderLock {
+    #[cfg(unix)]
     path: PathBuf,
     /// The lock goes with it.
     _file: File,
@@ -56,6 +57,7 @@ impl FolderLock {
             // Its last holder may have removed it after it was opened here.
             if is_at(&file, &path)? {
                 return Ok(Self {
+                    #[cfg(unix)]
                     path,
                     _file: file,
                     unsupported,
