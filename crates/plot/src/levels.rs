@@ -147,7 +147,7 @@ fn draw_bar(canvas: &mut Canvas, panel: &LevelPanel, ends: &[f64], (frame, left)
     };
     canvas.outline(bar, Stroke::solid(BLACK, 1.0));
     let scale = Block::new(&panel.scale, SMALL_SIZE, f64::INFINITY);
-    let column = left + BAR_WIDTH + 5.0 + 5.2 * 0.6 * SMALL_SIZE + 0.5 * scale.line_height();
+    let column = left + BAR_WIDTH + 5.0 + 6.2 * 0.6 * SMALL_SIZE + 0.5 * scale.line_height();
     canvas.upward_text(&scale, column, 0.5 * (top + bottom));
 }
 
