@@ -66,6 +66,7 @@ pub struct Orbit {
 ///     series: vec![Series::new("the bit", path.collect())],
 ///     circles: vec![20.0],
 ///     last: vec![10],
+///     has_one_scale: true,
 /// };
 /// let picture = orbits(&Look::default(), "Whirl", ["clearance", "the end"], &[orbit]);
 /// assert!(picture.svg().contains("clearance"));

@@ -5,12 +5,12 @@
 //! How sure a fraction is, and which axis decides:
 //!
 //! ```
-//! use results::analysis::{cases_for, sensitivity, wilson};
+//! use results::analysis::{more_cases, sensitivity, wilson};
 //!
 //! let fraction = wilson(81, 263).ok_or("there are cases")?;
 //! assert!((fraction.low - 0.2553).abs() < 1e-4 && (fraction.high - 0.3662).abs() < 1e-4);
 //! // Half the width takes about four times the cases.
-//! let [wide, narrow] = [0.1, 0.05].map(|width| cases_for(0.3, width) as f64);
+//! let [wide, narrow] = [0.1, 0.05].map(|width| more_cases(0.3, 0, width) as f64);
 //! assert!((narrow / wide - 4.0).abs() < 0.1);
 //!
 //! // Cases with a regime, and all of them, in ranges of an axis that decides alone.
