@@ -87,5 +87,6 @@ def test_the_source_distribution_has_every_crate_that_it_is_built_from(tmp_path)
     )
     assert described.returncode == 0, described.stderr
     own = [it for it in json.loads(described.stdout)["packages"] if it["source"] is None]
-    assert {"linear", "sim", "campaign", "results"} <= {it["name"] for it in own}
+    needed = {f"drillstring-{crate}" for crate in ["linear", "sim", "campaign", "results"]}
+    assert needed <= {it["name"] for it in own}
     assert all(it["manifest_path"].startswith(str(unpacked)) for it in own)
