@@ -42,8 +42,9 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
     }
     let refused = |words: String| UsageError(format!("{}: {words}", file.display()));
     let (method, slow) = methods_of_page(&campaign.sweep);
-    let slow = slow.map(|place| campaign.sweep.methods[place].name());
     let chosen = campaign.cases(&[arguments.case], &[], &[method]);
+    let name = |place: usize| campaign.sweep.methods[place].name();
+    let (method, slow) = (name(method), slow.map(name));
     let chosen = match chosen.map_err(|error| refused(error.to_string()))? {
         Ok(chosen) => chosen,
         Err(rows) => {
@@ -65,7 +66,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         .context("there is no case")?;
     let Some(simulation) = followed.simulations.into_iter().next() else {
         let reason = row.outcome.err().context("there is no motion")?;
-        let (case, method) = (case.index, sweep.methods[0].name());
+        let case = case.index;
         terminal.complain(&format!(
             "error: case {case} by {method} has no answer: {reason}"
         ));
@@ -76,6 +77,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
     let html = page(&Explored {
         file,
         sweep: &sweep,
+        method,
         slow,
         texts,
         controls: &controls,

@@ -50,8 +50,10 @@ pub fn methods_of_page(sweep: &Sweep) -> (usize, Option<usize>) {
 pub struct Explored<'a> {
     /// The sweep file.
     pub file: &'a Path,
-    /// The sweep, by the method of the page.
+    /// The sweep.
     pub sweep: &'a Sweep,
+    /// The method that the page simulates by.
+    pub method: &'static str,
     /// A method of the sweep file that takes minutes to build in a browser.
     pub slow: Option<&'static str>,
     /// Every text that was read for it.
@@ -164,14 +166,14 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         "columns": columns.collect::<serde_json::Map<_, _>>(),
         "opening": opening,
         "case": case,
-        "method": own[0],
+        "method": explored.method,
         "quick": QUICK,
         "slow": explored.slow,
         "controls": controls,
         "torque": shown(&units.of(&TORQUE).kilo()),
         "width": shown(&units.of(&WIDTH)),
         "map": map,
-        "command": format!("sweep simulate {} --case {case} --methods {}", file_word(&path), own[0]),
+        "command": format!("sweep simulate {} --case {case} --methods {}", file_word(&path), explored.method),
     }))
 }
 
