@@ -58,17 +58,13 @@ def draw_map(
     title = _motion_title(motion)
     x, y = _map_axes(table, x, y)
     kept = _cut(table, [x, y], where or {})
-    if y is not None and y not in table.about.axes:
-        rows = {name: column[kept] for name, column in table.items()}
-        ax = _axes(ax)
-        _draw_measure(ax, rows, motion, x, y, table)
-    elif y is None:
-        rows = {name: column[kept] for name, column in table.items()}
-        ax = _axes(ax)
+    rows = {name: column[kept] for name, column in table.items()}
+    ax = _axes(ax)
+    if y is None:
         _draw_rows(ax, rows, motion, x, table)
+    elif y not in table.about.axes:
+        _draw_measure(ax, rows, motion, x, y, table)
     else:
-        rows = {name: column[kept] for name, column in table.items()}
-        ax = _axes(ax)
         _draw_cases(ax, rows, motion, x, y, table)
         _label(ax.set_ylabel, y, table)
     _label(ax.set_xlabel, x, table)

@@ -26,14 +26,23 @@ fn is_letter(word: &str) -> bool {
     word == "/" || word.contains('_') || (word.chars().count() <= 3 && !is_word(word))
 }
 
-/// What all values of a quantity are called.
-pub fn every(axis: Axis, units: Units) -> String {
+/// A value of a quantity, whichever it is: `speed`.
+pub fn value_of(axis: Axis, units: Units) -> String {
     match axis {
-        Axis::SurfaceSpeedRpm => "every speed".to_owned(),
-        Axis::WeightOnBitKn => "every weight".to_owned(),
-        Axis::FRICTION => "every friction".to_owned(),
-        Axis::ImpulseRatio => "every impulse".to_owned(),
-        other => format!("every {}", plain(other, units)),
+        Axis::SurfaceSpeedRpm => "speed".to_owned(),
+        Axis::WeightOnBitKn => "weight".to_owned(),
+        Axis::FRICTION => "friction".to_owned(),
+        Axis::ImpulseRatio => "impulse".to_owned(),
+        other => plain(other, units),
+    }
+}
+
+/// The word before what is without vibration in all cases: the bit turns smoothly in every one, the
+/// string does not whirl in any.
+pub fn every_without(motion: Motion) -> &'static str {
+    match motion {
+        Motion::Torsion => "every",
+        Motion::Lateral => "any",
     }
 }
 

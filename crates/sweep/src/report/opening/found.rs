@@ -2,7 +2,7 @@
 
 use crate::report::lattice::{Column, Found, Lattice, Limit};
 use crate::report::phrases::{
-    capital, clauses, condition, every, listed, number, plain, range, share,
+    capital, clauses, condition, every_without, listed, number, plain, range, share, value_of,
 };
 use crate::report::results::Results;
 use campaign::quantities::{Axis, Units};
@@ -70,14 +70,7 @@ fn shares(results: &Results, motion: Motion) -> String {
     let mut sentence = if circles == all {
         format!("{by} {with} in every case")
     } else if crosses == all {
-        format!(
-            "{by} {without} in {} case",
-            if motion == Motion::Lateral {
-                "any"
-            } else {
-                "every"
-            }
-        )
+        format!("{by} {without} in {} case", every_without(motion))
     } else if parts.is_empty() {
         format!("Of {whole}, none is decided by every method")
     } else {
@@ -149,9 +142,11 @@ fn limits(results: &Results, lattice: &Lattice, motion: Motion) -> Option<String
 pub fn column_text(found: Found, motion: Motion, limited: Axis, units: Units) -> String {
     let [_, with, without] = clauses(motion);
     match found {
-        Found::Always => format!("{with} at {}", every(limited, units)),
-        Found::Never => format!("{without} at {}", every(limited, units))
-            .replace("not whirl at every", "not whirl at any"),
+        Found::Always => format!("{with} at every {}", value_of(limited, units)),
+        Found::Never => {
+            let every = every_without(motion);
+            format!("{without} at {every} {}", value_of(limited, units))
+        }
         Found::Scattered(part) => {
             format!("{with} in {:.0} % of the cases", 100.0 * part)
         }

@@ -98,13 +98,17 @@ fn margin(results: &Results) -> Option<String> {
                 )
             });
             let up_to = format!(
-                "tick-slip is found up to {} times the speed of the analytic limit (Eq. 74){from}",
+                "stick-slip is found up to {} times the speed of the analytic limit (Eq. 74){from}",
                 short(round(stick_slip))
             );
             match stick_slip {
-                high if high > NEAR => format!("S{up_to}: that limit alone is too low here."),
-                low if low < 1.0 / NEAR => format!("S{up_to}: that limit is on the safe side."),
-                _ => format!("The analytic limit agrees: s{up_to}."),
+                high if high > NEAR => {
+                    format!("{}: that limit alone is too low here.", capital(&up_to))
+                }
+                low if low < 1.0 / NEAR => {
+                    format!("{}: that limit is on the safe side.", capital(&up_to))
+                }
+                _ => format!("The analytic limit agrees: {up_to}."),
             }
         }
         Limited::Whirl => {
