@@ -109,8 +109,11 @@ fn an_accuracy_chooses_for_one_case_what_it_chose_for_all() {
     let few = with(&few, "to = 0.6, count = 3", "to = 0.6, count = 2");
     let place = Workplace::with_small(&with(&few, own, asked));
     each_row_is_its_case(&place, "small.toml", &[], true);
+    // To its end one case shows as much, and each command searches for the choice anew.
+    let one = with(&few, "from = 0.02, to = 0.6, count = 2", "values = [0.02]");
+    place.write("one.toml", with(&one, own, asked));
     std::fs::remove_dir_all(place.path("run")).unwrap();
-    each_row_is_its_case(&place, "small.toml", &["--full"], true);
+    each_row_is_its_case(&place, "one.toml", &["--full"], true);
 }
 
 /// Whirl that has settled ends a run's case, and its measures are those of that

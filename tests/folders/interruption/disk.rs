@@ -4,7 +4,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::CommandExt;
 use std::process::Command;
 
-use crate::interruption::{finishes, logged, long, same_tables};
+use crate::interruption::{finishes, logged, same_tables, short};
 use crate::support::Workplace;
 
 /// The binary under a limit of the size of files, which the system reports
@@ -30,7 +30,7 @@ fn run_with_room(place: &Workplace, kilobytes: usize) -> (Option<i32>, String) {
 
 #[test]
 fn a_full_disk_loses_nothing() {
-    let place = Workplace::with_small(&long());
+    let place = Workplace::with_small(&short());
     finishes(
         &place,
         &["run", "small.toml", "--full", "--quiet", "--out", "whole"],
@@ -59,7 +59,7 @@ fn a_full_disk_loses_nothing() {
 /// The folder is not writable for any user who runs this.
 #[test]
 fn the_folder_of_someone_else_is_an_error() {
-    let place = Workplace::with_small(&long());
+    let place = Workplace::with_small(&short());
     let allow = |path: &str, mode: u32| {
         let permissions = std::fs::Permissions::from_mode(mode);
         std::fs::set_permissions(place.path(path), permissions).unwrap();

@@ -4,7 +4,7 @@ use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::interruption::{finishes, logged, long, same_tables};
+use crate::interruption::{finishes, logged, long, same_tables, short};
 use crate::support::{Workplace, without_smeared_fronts};
 
 pub const RUN: [&str; 6] = ["run", "small.toml", "--full", "--quiet", "--out", "stopped"];
@@ -71,7 +71,7 @@ fn a_run_killed_twenty_times_ends_with_the_same_bytes() {
 
 #[test]
 fn the_same_bytes_on_one_two_and_seven_threads() {
-    let place = Workplace::with_small(&long());
+    let place = Workplace::with_small(&short());
     for jobs in ["1", "2", "7"] {
         let arguments = [
             "run",

@@ -16,7 +16,7 @@ use crate::plan::{Setting, Sweep};
 use crate::sweep_file::SweepFileError;
 
 /// Inputs made by changing a sweep file. A sixth can still be read.
-const CHANGED: u32 = 80_000;
+const CHANGED: u32 = 30_000;
 
 /// Inputs made up from lines, keys and values. A seventh can be read.
 const MADE_UP: u32 = 40_000;

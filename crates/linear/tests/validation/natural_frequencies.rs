@@ -568,7 +568,7 @@ fn strings() -> impl Strategy<Value = Drillstring> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 120, failure_persistence: None, ..Default::default() })]
+    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..Default::default() })]
 
     /// Elements are a little too fast, by a twenty-fourth of the square of how far waves turn in
     /// one; counts between are the same.
