@@ -283,6 +283,121 @@ fn an_inspection_has_the_numbers_of_its_text_and_tables() {
     assert_eq!(frequencies, written);
 }
 
+/// The dry run begins at the start, and continues; it finds nothing left of what is complete.
+#[test]
+fn a_dry_run_has_the_counts_of_its_text() {
+    let place = Workplace::with_small(SMALL);
+    let dry = ["run", "small.toml", "--out", "out", "--dry-run"];
+    let (found, people) = document(&place, &dry, 0);
+    assert_eq!(found["methods"], serde_json::json!(["quadrature"]));
+    assert_eq!((&found["cases"], &found["strings"]), (&6.into(), &1.into()));
+    assert_eq!(
+        (&found["simulations"], &found["simulations_left"]),
+        (&6.into(), &6.into())
+    );
+    let why = found["why"].as_str().unwrap();
+    let line = format!("6 of 6 simulations left: {why}\n");
+    assert!(people.output.contains(&line), "{line}{}", people.output);
+    let number = |name: &str| found[name].as_f64().unwrap();
+    // Six cases of 12 s, as the file has them.
+    assert_eq!(
+        (number("simulated_time_s"), number("longest_case_s")),
+        (72.0, 12.0)
+    );
+    assert!(number("memory_bytes") > 0.0 && number("memory_bytes") < number("memory_limit_bytes"));
+    assert!(number("wall_time_s") > 0.0 && found["never_finishes"].is_null());
+    assert!(!place.path("out").exists());
+
+    done(&place, &["run", "small.toml", "--quiet", "--out", "out"]);
+    std::fs::remove_file(place.path("out/boundary.csv")).unwrap();
+    let (found, people) = document(&place, &dry, 0);
+    assert_eq!(found["simulations_left"], 0);
+    assert!(found["wall_time_s"].is_null() && found["memory_bytes"].is_null());
+    let lost = found["made_again"][0].as_str().unwrap();
+    assert!(
+        lost.contains("boundary.csv") && people.output.contains(lost),
+        "{people:?}"
+    );
+    // It is of a dry run alone.
+    let run = place.answer(&["run", "small.toml", "--json"]);
+    assert_eq!((run.code, run.output.as_str()), (2, ""));
+}
+
+#[test]
+fn a_merge_has_the_manifest_of_the_whole_or_the_shards_that_it_lacks() {
+    let place = Workplace::with_small(SMALL);
+    let shard = |index: usize| {
+        let part = format!("{index}/3");
+        let out = format!("part{index}");
+        done(
+            &place,
+            &[
+                "run",
+                "small.toml",
+                "--quiet",
+                "--out",
+                &out,
+                "--shard",
+                &part,
+            ],
+        );
+    };
+    shard(1);
+    let merge = ["merge", "part1", "--out", "out"];
+    let (found, people) = document(&place, &merge, 4);
+    assert_eq!(
+        (&found["shards"], &found["finished"]),
+        (&3.into(), &1.into())
+    );
+    assert_eq!(found["run_again"], "0,2");
+    let command = found["run_again_with"].as_str().unwrap();
+    assert!(people.errors.contains(command), "{command}: {people:?}");
+    assert!(found["manifest"].is_null() && !place.path("out").exists());
+    for index in [0, 2] {
+        shard(index);
+    }
+    let merge = ["merge", "part0", "part1", "part2", "--out", "out"];
+    let (found, people) = document(&place, &merge, 0);
+    assert_eq!(
+        (&found["finished"], &found["run_again"]),
+        (&3.into(), &"".into())
+    );
+    assert_eq!(found["folder"], "out");
+    let written = std::fs::read_to_string(place.path("out/manifest.json")).unwrap();
+    let written: Value = serde_json::from_str(&written).unwrap();
+    assert_eq!(found["manifest"], written);
+    let smooth = &found["manifest"]["labels"]["quadrature"]["smooth"];
+    assert!(
+        people.output.contains(&format!("{smooth} smooth")),
+        "{people:?}"
+    );
+}
+
+#[test]
+fn a_reference_has_the_counts_of_its_first_line() {
+    let place = Workplace::with_small(SMALL);
+    done(&place, &["run", "small.toml", "--quiet", "--out", "out"]);
+    let reference = [
+        "reference",
+        "out",
+        "--margin",
+        "2%",
+        "--along",
+        "surface_speed_rpm",
+    ];
+    let (found, people) = document(&place, &reference, 0);
+    let [kept, dropped] = ["kept", "dropped"].map(|name| found[name].as_u64().unwrap());
+    assert_eq!((kept + dropped, &found["cases"]), (6, &6.into()));
+    let line = format!("{kept} of 6 cases kept, {dropped} dropped");
+    assert!(people.output.starts_with(&line), "{people:?}");
+    assert_eq!(found["margin"], 0.02);
+    assert_eq!(found["along"], serde_json::json!(["surface_speed_rpm"]));
+    assert_eq!(found["file"], "out/reference.csv");
+    let (_, rows) = table(&place, "out/reference.csv");
+    let cases = rows.iter().filter(|row| row[0].parse::<usize>().is_ok());
+    assert_eq!(cases.count() as u64, kept);
+}
+
 #[test]
 fn an_error_is_on_standard_error_alone() {
     let place = Workplace::with_small(&with(SMALL, "time_s = 12", "time_s = -12"));
@@ -292,6 +407,9 @@ fn an_error_is_on_standard_error_alone() {
         &["inspect", "small.toml"],
         &["window", "small.toml"],
         &["check", "small.toml", "nowhere.csv"],
+        &["run", "small.toml", "--dry-run"],
+        &["merge", "nowhere", "--out", "out"],
+        &["reference", "nowhere"],
     ] {
         let people = place.answer(arguments);
         let answer = place.answer(&[arguments, &["--json"]].concat());

@@ -55,7 +55,11 @@ pub fn main() -> ExitCode {
         Command::Simulate(arguments) => commands::simulate::simulate(&arguments, terminal),
         Command::Inspect(arguments) => commands::inspect::inspect(&arguments, terminal),
         Command::Plot(arguments) => commands::plot::plot(&arguments, terminal),
-        Command::Merge { folders, out } => commands::merge::merge(&folders, &out, terminal),
+        Command::Merge {
+            folders,
+            out,
+            document,
+        } => commands::merge::merge(&folders, &out, document.json, terminal),
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
         Command::Explore(arguments) => commands::explore::explore(&arguments, terminal),
         Command::Summary { folder, document } => {

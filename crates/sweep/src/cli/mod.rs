@@ -154,6 +154,8 @@ pub enum Command {
         /// Results folder
         #[arg(long)]
         out: PathBuf,
+        #[command(flatten)]
+        document: DocumentArguments,
     },
     /// Write a page about a results folder, or several side by side
     #[command(after_help = "Examples:\n  sweep report results/fig09\n  \

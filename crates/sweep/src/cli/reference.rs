@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::values::{parse_axis, parse_margin, sweep_file};
-use super::{MemoryArguments, OverwriteArguments};
+use super::{DocumentArguments, MemoryArguments, OverwriteArguments};
 use campaign::quantities::Axis;
 
 /// Arguments of `reference`.
@@ -32,4 +32,6 @@ pub struct ReferenceArguments {
     pub jobs: Option<usize>,
     #[command(flatten)]
     pub memory: MemoryArguments,
+    #[command(flatten)]
+    pub document: DocumentArguments,
 }

@@ -22,6 +22,9 @@ pub struct RunArguments {
     /// Say what would run and why, and stop
     #[arg(long)]
     pub dry_run: bool,
+    /// Print that as one JSON document, for programs
+    #[arg(long, requires = "dry_run")]
+    pub json: bool,
     /// Run only part I (from 0) of N [default folder: results/NAME/shard-I-of-N]
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,

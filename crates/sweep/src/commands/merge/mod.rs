@@ -7,7 +7,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
+use serde::Serialize;
 
+use super::document::say_document;
 use super::drawing::{Drawing, draw_and_note};
 use super::folder::{LOG, MANIFEST, OwnedFiles, hold, make_folder, remove_page};
 use super::outcome::{status_of, summary};
@@ -24,8 +26,25 @@ use tables::join_tables;
 /// The most ranges of numbers in which missing shards are reported.
 const MOST_RANGES: usize = 100;
 
+/// What a merge found, for programs.
+#[derive(Serialize)]
+struct Found<'a> {
+    /// Into how many shards the sweep was divided.
+    shards: usize,
+    /// How many of them are finished.
+    finished: usize,
+    /// The others, as a scheduler takes numbers and ranges.
+    run_again: &'a str,
+    /// The command that runs the first of those.
+    run_again_with: Option<String>,
+    /// Where the whole is.
+    folder: Option<&'a Path>,
+    /// That of the whole.
+    manifest: Option<&'a Manifest>,
+}
+
 /// Joins shards.
-pub fn merge(folders: &[PathBuf], out: &Path, terminal: Terminal) -> Result<Status> {
+pub fn merge(folders: &[PathBuf], out: &Path, json: bool, terminal: Terminal) -> Result<Status> {
     let (parts, unfinished) = read_parts(folders)?;
     let of = division(&parts, &unfinished)?;
     if parts.len() < of {
@@ -34,12 +53,23 @@ pub fn merge(folders: &[PathBuf], out: &Path, terminal: Terminal) -> Result<Stat
         let command = any
             .zip(first)
             .and_then(|(manifest, first)| again(manifest, first));
-        let command = command.map_or_else(String::new, |command| format!(": `{command}`"));
+        let words = (command.as_ref()).map_or_else(String::new, |command| format!(": `{command}`"));
         let missing = missing(parts.keys().copied(), of);
         terminal.complain(&format!(
-            "incomplete: {} of {of} shards are finished{command}\nrun again: {missing}",
+            "incomplete: {} of {of} shards are finished{words}\nrun again: {missing}",
             parts.len(),
         ));
+        if json {
+            let found = Found {
+                shards: of,
+                finished: parts.len(),
+                run_again: &missing,
+                run_again_with: command,
+                folder: None,
+                manifest: None,
+            };
+            say_document("merge", &found)?;
+        }
         return Ok(Status::Incomplete);
     }
     let parts: Vec<Part> = parts.into_values().collect();
@@ -49,7 +79,19 @@ pub fn merge(folders: &[PathBuf], out: &Path, terminal: Terminal) -> Result<Stat
     refuse_unrelated(out, &parts)?;
     let mut manifest = join(&parts, out)?;
     let drawn = draw_and_note(out, &mut manifest, &Drawing::default())?;
-    say(&summary(&manifest, out, drawn)?)?;
+    if json {
+        let found = Found {
+            shards: of,
+            finished: of,
+            run_again: "",
+            run_again_with: None,
+            folder: Some(out),
+            manifest: Some(&manifest),
+        };
+        say_document("merge", &found)?;
+    } else {
+        say(&summary(&manifest, out, drawn)?)?;
+    }
     Ok(status_of(&manifest))
 }
 

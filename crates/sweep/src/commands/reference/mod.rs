@@ -9,8 +9,10 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result, bail};
+use serde::Serialize;
 
 use super::choosing::choose;
+use super::document::say_document;
 use super::folder::tables_of;
 use super::input::read_text;
 use super::listed::Listed;
@@ -31,6 +33,21 @@ use neighbours::{Neighbours, neighbours};
 use results::files::write_atomically;
 use results::folder::{CaseRows, Manifest, differences, fingerprint, read_cases};
 use table::{BEGINNING, reference_table};
+
+/// What was made, for programs.
+#[derive(Serialize)]
+struct Found<'a> {
+    /// Cases of the results.
+    cases: usize,
+    kept: usize,
+    dropped: usize,
+    /// By which part of its value each axis was changed.
+    margin: f64,
+    /// The axes that were changed.
+    along: &'a [String],
+    /// The reference.
+    file: &'a Path,
+}
 
 /// Makes a reference.
 pub fn reference(arguments: &ReferenceArguments, terminal: Terminal) -> Result<Status> {
@@ -68,10 +85,22 @@ pub fn reference(arguments: &ReferenceArguments, terminal: Terminal) -> Result<S
     );
     let table = reference_table(manifest, &kept, &margin, &counts)?;
     write_atomically(&out, &table)?;
-    say(&format!(
-        "{counts}: no label of those kept changes within {margin}\n{}\n",
-        out.display()
-    ))?;
+    if arguments.document.json {
+        let found = Found {
+            cases: of,
+            kept: kept.len(),
+            dropped: of - kept.len(),
+            margin: arguments.margin,
+            along: &names,
+            file: &out,
+        };
+        say_document("reference", &found)?;
+    } else {
+        say(&format!(
+            "{counts}: no label of those kept changes within {margin}\n{}\n",
+            out.display()
+        ))?;
+    }
     Ok(Status::Complete)
 }
 

@@ -12,6 +12,7 @@ use std::time::Instant;
 
 use anyhow::Result;
 
+use super::document::say_document;
 use super::folder::{FolderState, LOG, hold, make_folder};
 use super::status::Status;
 use super::stop;
@@ -19,6 +20,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::RunArguments;
 use complete::show_again;
+use plan::Plan;
 use session::Session;
 use systems::Systems;
 use task::Task;
@@ -36,11 +38,15 @@ pub fn run(arguments: &RunArguments, terminal: Terminal) -> Result<Status> {
 }
 
 fn tell_plan(task: &Task, found: &FolderState) -> Result<Status> {
-    let text = plan::describe(task, found, &|| stop::asked().is_some())?;
+    let plan = Plan::of(task, found, &|| stop::asked().is_some())?;
     if let Some(status) = stop::asked() {
         return Ok(status);
     }
-    say(&text)?;
+    if task.arguments.json {
+        say_document("run", &plan.found())?;
+    } else {
+        say(&plan.text())?;
+    }
     Ok(Status::Complete)
 }
 
