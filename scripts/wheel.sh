@@ -31,8 +31,7 @@ licences=crates/python/licences
 rm -rf "$licences"
 mkdir -p "$licences"
 cp LICENSE-* "$licences/"
-scripts/licences.sh "$licences/dependencies" --manifest-path crates/python/Cargo.toml \
-    --target "$host"
+scripts/licences.sh "$licences/dependencies" -p drillstring-python --target "$host"
 
 if [[ $host == *-linux-gnu ]]; then
     install ziglang 'ziglang>=0.15,<0.18'

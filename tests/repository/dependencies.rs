@@ -1,100 +1,67 @@
-//! The Python package, a separate workspace, is built from the versions of this one. `deny.toml`,
-//! which CI checks, says what both may be built from.
+//! The program, with Parquet and without it, and the Python package are built from the same.
+//! `deny.toml`, which CI checks, says what from.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::process::Command;
 
-use serde::Deserialize;
-
-#[derive(Deserialize)]
-struct Lock {
-    package: Vec<Package>,
-}
-
-#[derive(Deserialize)]
-struct Package {
-    name: String,
-    version: String,
-}
-
-/// The packages of a workspace's lock file.
-fn locked(workspace: &str) -> Vec<Package> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(workspace);
-    packages(&std::fs::read_to_string(folder.join("Cargo.lock")).unwrap())
-}
-
-fn packages(lock: &str) -> Vec<Package> {
-    toml::from_str::<Lock>(lock).unwrap().package
-}
-
-/// Versions in a lock file that another lacks, of packages that it has.
-fn differing(packages: &[Package], from: &[Package]) -> Vec<String> {
-    let names: BTreeSet<&str> = from.iter().map(|package| package.name.as_str()).collect();
-    let lacks = |package: &Package| {
-        let is = |other: &Package| other.name == package.name && other.version == package.version;
-        names.contains(package.name.as_str()) && !from.iter().any(is)
-    };
-    (packages.iter().filter(|package| lacks(package)))
-        .map(|package| format!("{} {}", package.name, package.version))
-        .collect()
-}
-
-/// Its numbers are those of the command to the last bit, and the build of the one serves the
-/// other.
-#[test]
-fn the_python_package_is_built_from_the_versions_of_the_workspace() {
-    let differing = differing(&locked("../python"), &locked("../.."));
-    assert!(differing.is_empty(), "{differing:#?}");
-}
-
-/// The features of each package that a manifest's default members are built from: for what runs, and
-/// for what builds it.
-fn features(manifest: &str) -> BTreeMap<String, BTreeSet<String>> {
-    let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join(manifest);
+/// The features of each package that others are built from.
+fn features(of: &[&str]) -> BTreeMap<String, BTreeSet<String>> {
     let tree = Command::new(env!("CARGO"))
+        .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."))
         .args(["tree", "--locked", "--offline", "--no-dedupe"])
-        .args(["--edges", "normal,build", "--prefix", "none"])
-        .args(["--format", "{p};{f}", "--manifest-path"])
-        .arg(manifest)
+        .args(["--prefix", "none", "--format", "{p};{f}"])
+        .args(of)
         .output()
         .unwrap();
     assert!(tree.status.success(), "{tree:?}");
     let mut features = BTreeMap::<_, BTreeSet<_>>::new();
     for line in String::from_utf8(tree.stdout).unwrap().lines() {
-        let (package, of_package) = line.split_once(';').unwrap();
-        let found = features.entry(package.to_owned()).or_default();
-        found.insert(of_package.to_owned());
+        if let Some((package, of_package)) = line.split_once(';') {
+            let found = features.entry(package.to_owned()).or_default();
+            found.insert(of_package.trim_end_matches(" (*)").to_owned());
+        }
     }
     features
 }
 
 /// What is built with other features is built again: nearly all, where it is below `faer`.
-#[test]
-fn the_wheel_is_made_of_what_the_program_is_built_from() {
-    let program = features("../sweep/Cargo.toml");
-    let wheel = features("../python/Cargo.toml");
-    let shared = wheel
-        .iter()
-        .filter(|(package, _)| program.contains_key(*package));
-    assert!(shared.clone().count() > 100);
-    let differing: Vec<_> = shared
-        .filter(|(package, features)| !features.is_subset(&program[*package]))
+#[track_caller]
+fn are_built_from_the_same(one: &[&str], other: &[&str]) {
+    let [one, other] = [features(one), features(other)];
+    let differing: Vec<_> = (one.iter())
+        .filter_map(|(package, features)| Some((package, features, other.get(package)?)))
+        .filter(|(package, ..)| !package.starts_with("drillstring "))
+        .filter(|(_, features, others)| !features.is_subset(others))
         .collect();
     assert!(differing.is_empty(), "{differing:#?}");
+    let shared = one.keys().filter(|package| other.contains_key(*package));
+    assert!(shared.count() > 100);
 }
 
+const PROGRAM: &[&str] = &["--package=drillstring", "--edges=normal,build"];
+const RELEASED: &[&str] = &[
+    "--package=drillstring",
+    "--features=parquet",
+    "--edges=normal,build",
+];
+
+/// Its numbers are those of the command to the last bit, and the build of the one serves the other.
 #[test]
-fn a_version_that_the_other_lock_lacks_is_found() {
-    let workspace = lock(&[("one", "0.2.9"), ("one", "0.20.1"), ("two", "1.0.0")]);
-    let python = lock(&[("one", "0.20.1"), ("two", "1.0.1"), ("three", "2.0.0")]);
-    assert_eq!(differing(&python, &workspace), ["two 1.0.1"]);
+fn the_wheel_is_made_of_what_the_program_is_built_from() {
+    let wheel = ["--package=drillstring-python", "--edges=normal,build"];
+    are_built_from_the_same(&wheel, PROGRAM);
+    are_built_from_the_same(&wheel, RELEASED);
 }
 
-/// The packages of a lock file with these names and versions.
-fn lock(pairs: &[(&str, &str)]) -> Vec<Package> {
-    let tables = pairs.iter().map(|(name, version)| {
-        format!("[[package]]\nname = \"{name}\"\nversion = \"{version}\"\n")
-    });
-    packages(&tables.collect::<String>())
+/// A release is what was tested, and takes no build for itself.
+#[test]
+fn a_release_is_made_of_what_the_tests_are_built_from() {
+    let tests = [
+        "--workspace",
+        "--features=parquet",
+        "--edges=normal,build,dev",
+    ];
+    are_built_from_the_same(RELEASED, &tests);
+    are_built_from_the_same(PROGRAM, &tests);
 }

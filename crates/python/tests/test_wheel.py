@@ -15,6 +15,7 @@ import drillstring as ds
 import drillstring._drillstring as engine
 from conftest import ROOT
 
+LOCK = ROOT / "Cargo.lock"
 INSTALLED = importlib.metadata.distribution("drillstring")
 ON_GLIBC = sys.platform == "linux" and platform.libc_ver()[0] == "glibc"
 
@@ -33,7 +34,7 @@ def test_val_the_wheel_runs_with_glibc_2_28():
 
 def test_the_version_is_that_of_the_package():
     assert ds.__version__ == INSTALLED.version
-    assert f'version = "{ds.__version__}"' in (ROOT / "crates/python/Cargo.toml").read_text()
+    assert f'version = "{ds.__version__}"' in (ROOT / "Cargo.toml").read_text()
 
 
 def test_licences_of_all_that_is_built_in_are_inside():
@@ -43,8 +44,7 @@ def test_licences_of_all_that_is_built_in_are_inside():
     assert own <= found
     dependencies = {name.split("/")[1] for name in found - own}
     # Of the packages that it is locked to; procedural macros and what only builds are in no binary.
-    lock = (ROOT / "crates/python/Cargo.lock").read_text()
-    packages = re.findall(r'name = "(.+)"\nversion = "(.+)"\nsource', lock)
+    packages = re.findall(r'name = "(.+)"\nversion = "(.+)"\nsource', LOCK.read_text())
     locked = {f"{name}-{version}": name for name, version in packages}
     assert dependencies <= set(locked)
     names = {locked[package] for package in dependencies}
@@ -79,14 +79,19 @@ def test_the_source_distribution_has_every_crate_that_it_is_built_from(tmp_path)
         file.extractall(tmp_path, filter="data")
     unpacked = tmp_path / archive.name.removesuffix(".tar.gz")
     assert list(unpacked.glob("**/LICENSE-JOE-KUO"))
+    # Not `--locked`: of the workspace's packages those of the program are left out.
     described = subprocess.run(
-        ["cargo", "metadata", "--locked", "--offline", "--format-version", "1"],
+        ["cargo", "metadata", "--offline", "--format-version", "1"],
         cwd=unpacked / "python",
         capture_output=True,
         text=True,
     )
     assert described.returncode == 0, described.stderr
-    own = [it for it in json.loads(described.stdout)["packages"] if it["source"] is None]
+    packages = json.loads(described.stdout)["packages"]
+    locked = set(re.findall(r'name = "(.+)"\nversion = "(.+)"\nsource', LOCK.read_text()))
+    others = {(it["name"], it["version"]) for it in packages if it["source"]}
+    assert others <= locked
+    own = [it for it in packages if it["source"] is None]
     needed = {f"drillstring-{crate}" for crate in ["linear", "sim", "campaign", "results"]}
     assert needed <= {it["name"] for it in own}
     assert all(it["manifest_path"].startswith(str(unpacked)) for it in own)

@@ -22,9 +22,7 @@ pub fn export(arguments: &ExportArguments, terminal: Terminal) -> Result<Status>
 }
 
 fn to_parquet(arguments: &ExportArguments, terminal: Terminal) -> Result<Status> {
-    if cfg!(not(feature = "parquet")) {
-        bail!(not_built());
-    }
+    require_parquet(cfg!(feature = "parquet"))?;
     let ExportArguments { folder, table, .. } = arguments;
     let name = table.name();
     // Holds the tables of a run that is not finished.
@@ -49,6 +47,13 @@ fn to_parquet(arguments: &ExportArguments, terminal: Terminal) -> Result<Status>
     Ok(Status::Complete)
 }
 
+fn require_parquet(is_built_in: bool) -> Result<()> {
+    match is_built_in {
+        true => Ok(()),
+        false => bail!(not_built()),
+    }
+}
+
 /// How to get a program that has it.
 fn not_built() -> UsageError {
     UsageError(
@@ -61,4 +66,18 @@ fn not_built() -> UsageError {
 #[cfg(not(feature = "parquet"))]
 fn write(_: &std::path::Path, _: &str, _: &std::path::Path) -> Result<()> {
     Err(not_built().into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The command of a program without it: tests/commands/export.rs.
+    #[test]
+    fn a_program_without_parquet_is_a_mistake_of_usage_with_its_remedy() {
+        assert!(require_parquet(true).is_ok());
+        let refused = require_parquet(false).unwrap_err();
+        assert!(refused.is::<UsageError>());
+        assert!(refused.to_string().contains("--features parquet"));
+    }
 }
