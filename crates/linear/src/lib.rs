@@ -97,6 +97,8 @@ pub mod estimates;
 pub mod falling_torque;
 pub mod fft;
 pub mod filters;
+mod in_mud;
+pub mod loss;
 pub mod method;
 pub mod modes;
 pub mod natural_frequencies;

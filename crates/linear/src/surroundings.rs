@@ -5,6 +5,8 @@
 pub struct Mud {
     /// Density, kg/m³.
     pub density: f64,
+    /// Viscosity, Pa s; 0 where only its mass and its buoyancy matter.
+    pub viscosity: f64,
 }
 
 /// A hole full of mud, in which the string moves sideways.

@@ -29,6 +29,7 @@ impl Sweep {
         let most = 1e3 * most.or(self.conditions.weight_on_bit_kn)?;
         let mud = (self.content.mud).map(|mud| Mud {
             density: mud.density_kg_m3,
+            viscosity: 0.0,
         });
         let survey = self.data.survey.as_deref();
         let along = HangingString::new(&self.setting.string, survey, mud).weight();

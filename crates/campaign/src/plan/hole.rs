@@ -26,7 +26,10 @@ pub fn resolve(
         let density = source.within(key, mud.density_kg_m3, 1.0, HEAVIEST_MUD, "kg/m³")?;
         let message = "the string would float";
         source.refuse_if(density >= string.material().density, key, message)?;
-        Ok::<_, SweepFileError>(Mud { density })
+        Ok::<_, SweepFileError>(Mud {
+            density,
+            viscosity: 0.0,
+        })
     });
     let mud = mud.transpose()?;
     let bends = content.wall.is_some();

@@ -5,6 +5,7 @@
 
 use super::mesh::Mesh;
 use super::newmark::{Entry, Matrices};
+use super::torsion::check_loss;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
 use crate::error::BuildError;
 
@@ -20,6 +21,7 @@ pub fn assemble(
     mesh: &Mesh,
 ) -> Result<Matrices, BuildError> {
     bending.check()?;
+    check_loss(string)?;
     let held = support.held();
     let size = 2 * mesh.nodes() - held;
     let mut mass = Vec::with_capacity(16 * mesh.elements.len());

@@ -16,6 +16,7 @@ use super::torsion::Element;
 use crate::assembly::bending::Beam;
 use crate::assembly::block::Block;
 use crate::assembly::chain::{Ends, Stiffness};
+use crate::assembly::lossy::Lossy;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::nodes::Relation;
 use crate::assembly::number::Number;
@@ -29,11 +30,13 @@ use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 
-/// Velocity and acceleration per displacement at one ζ.
+/// Velocity and acceleration per displacement at one ζ, and the rate 2(1 − ζ)/(h(1 + ζ)) of what
+/// is stepped by the trapezoidal rule besides, rad/s: loss with a memory, which that keeps passive.
 #[derive(Debug, Clone, Copy)]
 struct Rates<T> {
     velocity: T,
     acceleration: T,
+    trapezoidal: T,
 }
 
 impl<T: Number> Rates<T> {
@@ -48,6 +51,7 @@ impl<T: Number> Rates<T> {
         Self {
             velocity: per_step * in_velocity,
             acceleration: per_step * advance * step.recip(),
+            trapezoidal: advance * (zeta + 1.0).inverse() * (2.0 / step),
         }
     }
 }
@@ -94,10 +98,17 @@ impl<'a> ElementChain<'a> {
         zeta: T,
     ) -> ResponseMatrix<T> {
         let rates = Rates::at(&self.weights, zeta);
+        let lossy = Lossy::new(self.string.loss(), || rates.trapezoidal);
         let tube = |around: Surroundings, tube: &Tube| {
             let (count, element) = divided(tube, self.longest);
-            let mass = self.string.mass_sideways(tube, around.hole_radius);
-            let element = beam_element(&bending.under(around.tension), &element, mass, rates);
+            let mud = lossy.mud_against_moving(tube, around.hole_radius);
+            let mass = match mud {
+                None => self.string.mass_sideways(tube, around.hole_radius),
+                // Its inertia is part of its drag.
+                Some(_) => self.string.mass_with_bore(tube),
+            };
+            let loss = (mud, lossy.stiffening());
+            let element = beam_element(&bending.under(around.tension), &element, mass, rates, loss);
             Beam::of(element).repeated(count)
         };
         bending::reduce(chain::hanging(&self.spans, tube), self.sites, support)
@@ -137,9 +148,12 @@ impl ElementChain<'_> {
         &self,
         rates: Rates<T>,
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
-        let tube =
-            move |_, tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
-        (self.spans.iter()).map(move |span| chain::surrounded(span, Ends::Both, tube))
+        let lossy = Lossy::new(self.string.loss(), || rates.trapezoidal);
+        let tube = move |around: Surroundings, tube: &Tube| {
+            let element = divided(tube, self.longest);
+            torsion_row(self.string, element, around.hole_radius, rates, &lossy)
+        };
+        (self.spans.iter()).map(move |span| chain::surrounded(span, Ends::Both, &tube))
     }
 
     fn drive<T: Number>(&self, rates: Rates<T>) -> Option<Drive<T>> {
@@ -154,19 +168,29 @@ impl ElementChain<'_> {
 /// Elements of a tube in a row, torques per speed.
 fn torsion_row<T: Number>(
     string: &Drillstring,
-    (count, element): (usize, Tube),
+    (count, tube): (usize, Tube),
+    hole: Option<f64>,
     rates: Rates<T>,
+    lossy: &Lossy<'_, T>,
 ) -> DynamicStiffness<T> {
     let Element {
         inertia,
         spring,
         dashpot,
-    } = Element::of(string, &element);
+    } = Element::of(string, &tube);
     // At either node a third of the inertia, and a sixth with the other node's.
     let per_speed = rates.velocity.inverse();
     let in_speed = rates.acceleration * per_speed;
-    let alike = in_speed * (inertia / 2.0) + dashpot;
-    let opposite = in_speed * (inertia / 6.0) + per_speed * (2.0 * spring) + dashpot;
+    let mut alike = in_speed * (inertia / 2.0) + dashpot;
+    let mut twisted = per_speed * (2.0 * spring);
+    if let Some(stiffening) = lossy.stiffening() {
+        twisted = twisted * stiffening;
+    }
+    let mut opposite = in_speed * (inertia / 6.0) + twisted + dashpot;
+    if let Some(mud) = lossy.mud_against_turning(&tube, hole) {
+        let mud = mud * (0.5 * tube.length);
+        (alike, opposite) = (alike + mud, opposite + mud);
+    }
     DynamicStiffness::row(alike, opposite, count)
 }
 
@@ -175,9 +199,13 @@ fn beam_element<T: Number>(
     tube: &Tube,
     mass_per_length: f64,
     rates: Rates<T>,
+    (mud, stiffening): (Option<T>, Option<T>),
 ) -> StiffBeam<T> {
     let mass = mass_matrix(tube, mass_per_length);
-    let damping = rates.velocity * dashpot(tube, bending);
+    let mut damping = rates.velocity * dashpot(tube, bending);
+    if let Some(mud) = mud {
+        damping = damping + rates.velocity * mud * (0.5 * tube.length);
+    }
     // Of inertia and dashpots, which a rigid motion meets in full.
     let carried = |row: usize, column: usize| {
         Block([0, 1].map(|i| {
@@ -197,14 +225,27 @@ fn beam_element<T: Number>(
     // It takes no force to carry a beam along, but for what a compressed one pushes aside.
     let [aside, about] = [1.0, length].map(|arm| T::real(-bending.compression * arm));
     let stiffness = stiffness_matrix(tube, bending);
-    let elastic = [2, 3].map(|i| [2, 3].map(|j| T::real(stiffness[i][j])));
+    let mut elastic = Block([2, 3].map(|i| [2, 3].map(|j| T::real(stiffness[i][j]))));
+    if let Some(stiffening) = stiffening {
+        // Of the modulus alone, not of what compression takes from it.
+        let straight = Bending {
+            compression: 0.0,
+            ..*bending
+        };
+        let own = stiffness_matrix(tube, &straight);
+        let own = Block([2, 3].map(|i| [2, 3].map(|j| T::real(own[i][j]))));
+        elastic = elastic + own.multiplied(stiffening - 1.0);
+    }
     let mixed = cross.transpose() + along;
     let inertia = rates.acceleration * mass_per_length;
-    let foundation = inertia + rates.velocity * bending.damping;
+    let mut foundation = inertia + rates.velocity * bending.damping;
+    if let Some(mud) = mud {
+        foundation = foundation + rates.velocity * mud;
+    }
     StiffBeam {
         length,
         turns: turns(bending, tube, foundation),
-        elastic: Block(elastic) + bottom,
+        elastic: elastic + bottom,
         mixed: mixed + Block([[zero, aside], [zero, zero]]),
         rigid: carried(0, 0)
             + cross.carried(length)

@@ -49,6 +49,7 @@ impl Element {
 /// # Errors
 /// Where the sparse matrices cannot be formed.
 pub fn assemble(string: &Drillstring, mesh: &Mesh) -> Result<TorsionMatrices, BuildError> {
+    check_loss(string)?;
     let mut entries = Entries::none(mesh.elements.len());
     let (mut surface_mass, mut surface_stiffness) = (0.0, 0.0);
     for (bottom, tube) in mesh.elements.iter().enumerate() {
@@ -76,6 +77,7 @@ pub fn assemble_below_drive(
     mesh: &Mesh,
     drive: &TopDrive,
 ) -> Result<Matrices, BuildError> {
+    check_loss(string)?;
     let mut entries = Entries::none(mesh.elements.len() + 1);
     for (top, tube) in mesh.elements.iter().enumerate() {
         let element = Element::of(string, tube);
@@ -86,6 +88,14 @@ pub fn assemble_below_drive(
     entries.damping[0] += drive.proportional_gain;
     (entries.stiffness).push(Triplet::new(0, 0, drive.integral_gain));
     entries.matrices()
+}
+
+/// Refuses a loss that these matrices do not have.
+pub(super) fn check_loss(string: &Drillstring) -> Result<(), BuildError> {
+    if string.loss().has_memory() {
+        return Err(BuildError::LossNotStepped);
+    }
+    Ok(())
 }
 
 /// Entries of the matrices, as they are summed up.

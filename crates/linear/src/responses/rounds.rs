@@ -7,7 +7,9 @@ use super::request::Request;
 use crate::budget::{Budget, Need, REAL, Reserved, What};
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
-use crate::estimates::{torsional_inertia, torsional_settling_time, undershoot_time};
+use crate::estimates::{
+    torsional_decay_rate, torsional_inertia, torsional_settling_time, undershoot_time,
+};
 use crate::filters::quadrature::{self, Sampling};
 use crate::passivity::Ending;
 
@@ -73,14 +75,14 @@ impl Rounds {
         let looked_at = looked_at(string, request.longest_time, frequency);
         let decayed = first_length(string, frequency)? as f64;
         // What nothing damps does not decay.
-        let decays = string.torsional_damping() > 0.0 && decayed <= WORTH_WHILE * looked_at;
+        let decays = string.loss().damps_torsion() && decayed <= WORTH_WHILE * looked_at;
         let first = if decays { decayed } else { looked_at };
         let doubled_to = |length: f64| {
             let doublings = (length / first).log2().ceil().max(0.0);
             first * doublings.exp2()
         };
         let last = doubled_to(looked_at).min(looked_at.max(MOST_TAPS as f64));
-        let (longest, is_whole) = if string.torsional_damping() == 0.0 || ring {
+        let (longest, is_whole) = if !string.loss().damps_torsion() || ring {
             (last, false)
         } else {
             let lasts = DECAYED * frequency / slowest_rate(string);
@@ -181,14 +183,27 @@ fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -
 /// No motion in torsion dies away more slowly than this, 1/s: vibration loses at least
 /// what the damping takes of the heaviest tube, and what seeps has a time of its own.
 fn slowest_rate(string: &Drillstring) -> f64 {
+    let loss = string.loss();
     let heaviest = string
         .tubes()
         .map(|(_, tube)| tube.polar_moment())
         .fold(0.0, f64::max);
-    let damped = string.torsional_damping() / (2.0 * string.material().density * heaviest);
+    let damped = if loss.has_memory() {
+        // Mud holds back the slowest mode least; where it is not alike everywhere, one may be held
+        // back less than the whole string is.
+        LEAST_OF_MEAN * torsional_decay_rate(string)
+    } else {
+        string.torsional_damping() / (2.0 * string.material().density * heaviest)
+    };
     // What a top drive holds of the inertia is not damped by the string.
     let inertia = torsional_inertia(string);
     let of_drive = string.top_drive().map_or(0.0, |drive| drive.inertia);
     let vibrates = damped * inertia / (inertia + of_drive);
-    vibrates.min(1.0 / torsional_settling_time(string))
+    let seeps = 1.0 / torsional_settling_time(string);
+    vibrates
+        .min(seeps)
+        .min(loss.slowest_memory(string.hole_radii()))
 }
+
+/// How much less than the whole string a mode is damped, at most.
+const LEAST_OF_MEAN: f64 = 0.5;

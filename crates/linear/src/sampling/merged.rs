@@ -3,6 +3,7 @@
 
 use crate::drillstring::{Drillstring, Section, Tube};
 use crate::error::DrillstringError;
+use crate::surroundings::Hole;
 
 /// Lengths are rounded to this, m: parts that were cut and put together again are as long as
 /// before only up to rounding.
@@ -15,18 +16,36 @@ const SAME_RADIUS: f64 = 1e-9;
 const MOST_PARTS: usize = 8;
 
 /// The same string in torsion with its equal neighbours joined and what repeats in sections,
-/// under the same drive; without what surrounds it.
+/// under the same drive and with the same loss; without what surrounds it, viscous mud apart.
 ///
 /// # Errors
 /// Where the string is so short that rounding leaves nothing of it.
 pub fn merged(string: &Drillstring) -> Result<Drillstring, DrillstringError> {
     let sections = sections(&tubes(string));
-    let merged = Drillstring::new(string.material(), sections, string.torsional_damping())?;
+    let mut merged = Drillstring::new(string.material(), sections, string.torsional_damping())?
+        .with_loss_factor(string.loss().loss_factor())?;
+    if string.loss().viscous_mud().is_some()
+        && let Some(hole) = string.hole()
+    {
+        merged = merged.in_hole(deeper(hole))?;
+    }
     match string.top_drive() {
         None => Ok(merged),
         Some(drive) => merged.with_top_drive(drive),
     }
 }
+
+/// A hole that reaches below whatever rounding makes of a string.
+fn deeper(hole: &Hole) -> Hole {
+    let mut deeper = hole.clone();
+    if let Some(last) = deeper.sections.last_mut() {
+        last.length *= 1.0 + DEEPER;
+    }
+    deeper
+}
+
+/// By this part of its last section.
+const DEEPER: f64 = 1.0;
 
 /// Tubes from the surface down, no two equal ones next to each other.
 fn tubes(string: &Drillstring) -> Vec<Tube> {

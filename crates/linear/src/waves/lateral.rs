@@ -3,9 +3,10 @@
 
 use num_complex::Complex64;
 
-use super::bending::{endless, uniform};
+use super::bending::{Resistance, endless, uniform};
 use crate::assembly::bending::reduce;
 use crate::assembly::chain::hanging;
+use crate::assembly::lossy::Lossy;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::number::Number;
 use crate::channel::Channel;
@@ -78,10 +79,26 @@ impl<'a> BendingNetwork<'a> {
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance<T: Number>(&self, s: T) -> ResponseMatrix<T> {
+        let lossy = Lossy::new(self.string.loss(), || s);
         let tube = |around: Surroundings, tube: &Tube| {
-            let mass = self.string.mass_sideways(tube, around.hole_radius);
             let bending = self.bending.under(around.tension);
-            endless(&bending, tube, mass, s).unwrap_or_else(|| uniform(&bending, tube, mass, s))
+            let foundation = match lossy.mud_against_moving(tube, around.hole_radius) {
+                None => {
+                    let mass = self.string.mass_sideways(tube, around.hole_radius);
+                    s * (s * mass + bending.damping)
+                }
+                // Its inertia is part of its drag.
+                Some(mud) => {
+                    let mass = self.string.mass_with_bore(tube);
+                    s * (s * mass + mud + bending.damping)
+                }
+            };
+            let resistance = Resistance {
+                foundation,
+                stiffening: lossy.stiffening(),
+            };
+            endless(&bending, tube, resistance)
+                .unwrap_or_else(|| uniform(&bending, tube, resistance))
         };
         reduce(hanging(&self.spans, tube), self.sites, self.support)
     }

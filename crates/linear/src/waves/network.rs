@@ -4,21 +4,25 @@
 use num_complex::Complex64;
 
 use super::torsion::uniform;
-use crate::assembly::chain::{self, Stiffness};
+use crate::assembly::chain::{self, Ends, Stiffness};
+use crate::assembly::lossy::Lossy;
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
     Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
 };
+use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::DrillstringError;
+use crate::estimates::torsional_resistance;
 use crate::sites::Sites;
-use crate::spans::Span;
+use crate::spans::SurroundedSpan;
+use crate::surroundings::Surroundings;
 
 /// A string cut at its sites once, to be evaluated at many frequencies.
 #[derive(Debug, Clone)]
 pub struct TorsionNetwork<'a> {
     string: &'a Drillstring,
-    spans: Vec<Span>,
+    spans: Vec<SurroundedSpan>,
     sites: usize,
 }
 
@@ -30,7 +34,7 @@ impl<'a> TorsionNetwork<'a> {
     pub fn new(string: &'a Drillstring, sites: &Sites) -> Result<Self, DrillstringError> {
         Ok(Self {
             string,
-            spans: string.spans(sites)?,
+            spans: string.surrounded_spans(Channel::Torsion, sites)?,
             sites: sites.len(),
         })
     }
@@ -45,8 +49,11 @@ impl<'a> TorsionNetwork<'a> {
         &self,
         s: T,
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
-        let tube = move |tube: &Tube| uniform(self.string, tube, s);
-        (self.spans.iter()).map(move |span| chain::span(span, tube))
+        let lossy = Lossy::new(self.string.loss(), || s);
+        let tube = move |around: Surroundings, tube: &Tube| {
+            uniform(self.string, (tube, around.hole_radius), s, &lossy)
+        };
+        (self.spans.iter()).map(move |span| chain::surrounded(span, Ends::Both, &tube))
     }
 
     pub(crate) fn drive<T: Number>(&self, s: T) -> Option<Drive<T>> {
@@ -56,7 +63,7 @@ impl<'a> TorsionNetwork<'a> {
 
     /// Torque per speed at the surface where all turns alike for ever.
     fn torque_at_rest(&self) -> f64 {
-        let resistance = self.string.torsional_damping() * self.string.length();
+        let resistance = torsional_resistance(self.string);
         match self.string.top_drive() {
             // It gives way, and nothing brings it back.
             Some(drive) if drive.integral_gain == 0.0 => {
