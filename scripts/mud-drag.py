@@ -125,11 +125,8 @@ def modes():
 
     def steel(s, factor):
         """1 + sum a s/(s + w), w from 0.01 Hz upwards by 4 to beyond 2 kHz."""
-        sum_, rate = mpf(1), 2 * pi * mpf("0.01")
-        while rate <= 2 * pi * 2000:
-            sum_ += 2 * factor * log(4) / pi * s / (s + rate)
-            rate *= 4
-        return sum_
+        rates = [2 * pi * mpf("0.01") * 4**step for step in range(10)]
+        return 1 + sum(2 * factor * log(4) / pi * s / (s + rate) for rate in rates)
 
     rows = []
     for case, mud, damping, factor in (("mud", 1, "0", "0"), ("steel", 0, "0", "0.001"),

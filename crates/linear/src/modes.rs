@@ -139,11 +139,14 @@ fn poles_near(
     let find = |guess: Complex64| {
         // Of two poles close to one another, both guesses would find the same one: those that
         // are known, and their mirror images, are divided out.
-        // In parts of about the size of the guess, a power of two that rounds nothing: the product of
-        // hundreds overflows.
-        let size = guess.norm_sqr().log2().round().exp2().recip();
+        // Hundreds of factors overflow: each is taken in parts of about their mean, a power of two,
+        // which rounds nothing.
+        let factor = |s: Complex64, pole: &Complex64| (s - pole) * (s - pole.conj());
+        let sizes = poles.iter().map(|pole| factor(guess, pole).norm().log2());
+        let mean = sizes.sum::<f64>() / poles.len().max(1) as f64;
+        let part = (-mean.round()).exp2();
         let others = |s: Complex64| {
-            let known = (poles.iter()).map(|pole| (s - pole) * (s - pole.conj()) * size);
+            let known = poles.iter().map(|pole| factor(s, pole) * part);
             network.characteristic(s) / known.product::<Complex64>()
         };
         let pole = zero_near(&others, guess);

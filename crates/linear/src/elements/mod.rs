@@ -4,9 +4,12 @@
 
 pub(crate) mod beam;
 pub(crate) mod mesh;
+mod mud;
 pub mod newmark;
 pub mod reconstruction;
 pub(crate) mod recurrence;
 pub mod reduction;
 pub mod stepped;
 pub(crate) mod torsion;
+
+pub use mud::error_of_drag;

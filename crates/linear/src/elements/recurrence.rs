@@ -11,6 +11,7 @@
 
 use super::beam::{dashpot, mass_matrix, stiffness_matrix};
 use super::mesh::{check_number, divided, longest_element};
+use super::mud::MudFits;
 use super::newmark::Weights;
 use super::torsion::Element;
 use crate::assembly::bending::Beam;
@@ -64,6 +65,7 @@ pub(crate) struct ElementChain<'a> {
     sites: usize,
     longest: f64,
     weights: Weights,
+    mud: MudFits,
 }
 
 impl<'a> ElementChain<'a> {
@@ -83,6 +85,7 @@ impl<'a> ElementChain<'a> {
         check_number(&spans, longest)?;
         Ok(Self {
             string,
+            mud: MudFits::new(string, channel, &spans),
             spans,
             sites: sites.len(),
             longest,
@@ -99,14 +102,12 @@ impl<'a> ElementChain<'a> {
     ) -> ResponseMatrix<T> {
         let rates = Rates::at(&self.weights, zeta);
         let lossy = Lossy::new(self.string.loss(), || rates.trapezoidal);
+        let mud = self.mud.at(rates.trapezoidal);
         let tube = |around: Surroundings, tube: &Tube| {
             let (count, element) = divided(tube, self.longest);
-            let mud = lossy.mud_against_moving(tube, around.hole_radius);
-            let mass = match mud {
-                None => self.string.mass_sideways(tube, around.hole_radius),
-                // Its inertia is part of its drag.
-                Some(_) => self.string.mass_with_bore(tube),
-            };
+            // The mass that is moved aside however fast is mass to the scheme as well.
+            let mass = self.string.mass_sideways(tube, around.hole_radius);
+            let mud = mud.on(self.string, tube, around.hole_radius);
             let loss = (mud, lossy.stiffening());
             let element = beam_element(&bending.under(around.tension), &element, mass, rates, loss);
             Beam::of(element).repeated(count)
@@ -149,9 +150,13 @@ impl ElementChain<'_> {
         rates: Rates<T>,
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
         let lossy = Lossy::new(self.string.loss(), || rates.trapezoidal);
+        let mud = self.mud.at(rates.trapezoidal);
         let tube = move |around: Surroundings, tube: &Tube| {
-            let element = divided(tube, self.longest);
-            torsion_row(self.string, element, around.hole_radius, rates, &lossy)
+            let loss = (
+                mud.on(self.string, tube, around.hole_radius),
+                lossy.stiffening(),
+            );
+            torsion_row(self.string, divided(tube, self.longest), rates, loss)
         };
         (self.spans.iter()).map(move |span| chain::surrounded(span, Ends::Both, &tube))
     }
@@ -169,9 +174,8 @@ impl ElementChain<'_> {
 fn torsion_row<T: Number>(
     string: &Drillstring,
     (count, tube): (usize, Tube),
-    hole: Option<f64>,
     rates: Rates<T>,
-    lossy: &Lossy<'_, T>,
+    (mud, stiffening): (Option<T>, Option<T>),
 ) -> DynamicStiffness<T> {
     let Element {
         inertia,
@@ -183,11 +187,11 @@ fn torsion_row<T: Number>(
     let in_speed = rates.acceleration * per_speed;
     let mut alike = in_speed * (inertia / 2.0) + dashpot;
     let mut twisted = per_speed * (2.0 * spring);
-    if let Some(stiffening) = lossy.stiffening() {
+    if let Some(stiffening) = stiffening {
         twisted = twisted * stiffening;
     }
     let mut opposite = in_speed * (inertia / 6.0) + twisted + dashpot;
-    if let Some(mud) = lossy.mud_against_turning(&tube, hole) {
+    if let Some(mud) = mud {
         let mud = mud * (0.5 * tube.length);
         (alike, opposite) = (alike + mud, opposite + mud);
     }

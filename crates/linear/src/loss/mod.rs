@@ -7,7 +7,6 @@
 //! that every response stays positive-real, and m(0) = 1 leaves statics as they are.
 
 mod bessel;
-#[cfg_attr(not(test), expect(dead_code, reason = "for elements that are stepped"))]
 mod fit;
 pub(crate) mod mud;
 mod narrow;

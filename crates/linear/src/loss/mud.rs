@@ -91,7 +91,8 @@ impl Annulus {
         let displaced = PI * self.density * self.outer.powi(2);
         let kappa = self.wavenumber(s);
         if (kappa * self.hole).norm() < narrow::WIDEST {
-            return narrow::against_moving(self, kappa);
+            let radii = [self.outer, self.hole];
+            return narrow::against_moving(kappa, radii) * self.viscosity;
         }
         let [alpha, beta] = [self.outer, self.hole].map(|radius| kappa * radius);
         let [tube, hole] = [alpha, beta].map(Bessel::at);

@@ -8,21 +8,19 @@ use std::f64::consts::PI;
 
 use num_complex::Complex64;
 
-use super::mud::Annulus;
-
 /// The series serve up to this κR_h.
 pub(super) const WIDEST: f64 = 2.0;
 
 /// Far beyond rounding, of powers of up to (WIDEST/2)² over squares of factorials.
 const TERMS: u32 = 24;
 
-/// Force per length and speed, N s/m per m. With a = α²/4, q = (R_h/R)² and L = ln(R_h/R), and the
+/// Force per length, speed and viscosity on a tube between these radii, its own and the hole's (m),
+/// where vorticity has the wavenumber κ (1/m). With a = α²/4, q = (R_h/R)² and L = ln(R_h/R), and the
 /// four differences of the general formula in parts of powers of a.
-pub(super) fn against_moving(annulus: &Annulus, kappa: Complex64) -> Complex64 {
-    let alpha = kappa * annulus.outer;
+pub(super) fn against_moving(kappa: Complex64, [outer, hole]: [f64; 2]) -> Complex64 {
+    let alpha = kappa * outer;
     let a = alpha * alpha * 0.25;
-    let wider = (annulus.hole - annulus.outer) * (annulus.hole + annulus.outer);
-    let wider = wider / annulus.outer.powi(2);
+    let wider = (hole - outer) * (hole + outer) / outer.powi(2);
     let logarithm = 0.5 * wider.ln_1p();
     let Sums {
         i0,
@@ -39,7 +37,7 @@ pub(super) fn against_moving(annulus: &Annulus, kappa: Complex64) -> Complex64 {
     let doublet =
         a * falls * i2 + i2_grows * ((-a + 1.0) * 0.5 + a_squared * (i2 * logarithm + k2 * 0.25));
     let between = i2_grows * along - falls * i0_grows;
-    (2.0 * doublet / between - a) * (4.0 * PI * annulus.viscosity)
+    (2.0 * doublet / between - a) * (4.0 * PI)
 }
 
 /// Power series at the tube (in a), and how they change to the hole (in qa).

@@ -2,14 +2,15 @@
 //! response in time, and passivity, by every method.
 
 use linear::deviation::ExactMotions;
+use linear::elements::error_of_drag;
 use linear::estimates::{largest_undershoot, torsional_resistance, torsional_travel_time};
 use linear::method::FiniteElement;
 use linear::modes::{damped_modes, torsional_modes};
 use linear::natural_frequencies::NaturalFrequencies;
 use linear::waves::lateral::BendingNetwork;
 use linear::{
-    Bending, ChannelRequest, Complex64, Drillstring, Hole, HoleSection, Material, Method, Mud,
-    Request, Section, Sites, SurfaceSupport, Tube,
+    Bending, Channel, ChannelRequest, Complex64, Drillstring, Hole, HoleSection, Material, Method,
+    Mud, Request, Section, Sites, SurfaceSupport, Tube,
 };
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -305,6 +306,17 @@ proptest! {
     }
 }
 
+/// Elements have mud by a fit, to a part in 200, and say so.
+#[test]
+fn val_elements_have_the_drag_of_mud_to_a_part_in_200() {
+    let string = case("all");
+    for channel in [Channel::Torsion, Channel::Bending] {
+        let error = error_of_drag(&string, channel).unwrap();
+        assert!((1e-6..5e-3).contains(&error), "{channel}: {error}");
+        assert_eq!(error_of_drag(&pipe(0.03), channel), None);
+    }
+}
+
 /// In steady rotation a response comes to what constant drag leaves: Couette flow.
 #[test]
 fn val_steady_rotation_meets_the_drag_of_steady_flow() {
@@ -353,7 +365,15 @@ fn val_bending_in_mud_is_the_exact_motion_and_passive() {
         }],
         ..request(1280.0, 3.0)
     };
-    for method in [Method::Held, Method::Quadrature] {
+    let elements = FiniteElement {
+        elements_per_cell: 300,
+        ..FiniteElement::default()
+    };
+    for method in [
+        Method::Held,
+        Method::Quadrature,
+        Method::FiniteElement(elements),
+    ] {
         let of = |string: &Drillstring| {
             let bit = Sites::bit();
             let exact = ExactMotions::in_bending(
