@@ -12,16 +12,21 @@ install() { cargo install --locked --quiet --root "$tools" "$@"; }
 has mdbook || install mdbook@0.5.4 --no-default-features --features search
 has mdbook-katex || install mdbook-katex@0.10.0
 
-# Pages of docs/ and the README beside them: links between the two are of one folder
-# there, and what is named of the code is told, not linked.
+# Pages of docs/, the README as program.md and the shipped sweeps as sweeps.md: links between them stay
+# within one folder there, and other files of the repository are named, not linked.
 source=target/book-source
 rm -rf "$source"
 mkdir -p "$source"
 cp -r docs/. "$source"
 rm "$source/book.toml"
-sed -e 's#](docs/#](#g' README.md >"$source/program.md"
-sed -i -e 's#](\.\./README\.md#](program.md#g' -E -e 's#\[([^]]*)\]\(\.\./[^)]*\)#\1#g' "$source"/*.md
-sed -i -e 's#^- \[First map#- [The program](program.md)\n&#' "$source/SUMMARY.md"
+sed -E -e 's#\]\(sweeps/README\.md#](sweeps.md#g; s#\]\(docs/#](#g' \
+    -e 's#\[([^]]*)\]\((CONTRIBUTING|ARCHITECTURE|CHANGELOG|CITATION|LICENSE)[^)]*\)#\1#g' \
+    README.md >"$source/program.md"
+sed -e 's#](\.\./docs/#](#g' sweeps/README.md >"$source/sweeps.md"
+sed -i -E -e 's#\]\(\.\./README\.md#](program.md#g; s#\]\(\.\./sweeps/README\.md#](sweeps.md#g' \
+    -e 's#\[([^]]*)\]\(\.\./[^)]*\)#\1#g' "$source"/*.md
+sed -i -e 's#^- \[First map#- [The program](program.md)\n&#' \
+    -e 's#^- \[A results folder.*#&\n- [The shipped sweeps](sweeps.md)#' "$source/SUMMARY.md"
 
 mdbook build docs
 echo "target/book/index.html"

@@ -6,8 +6,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 /**
- * Chromium with one page. Where there is none the program ends with exit code 3; once a page is
- * there, what is thrown, or an answer that does not come within so many milliseconds, is the page's
+ * Chromium with one page. Without Chromium the program ends with exit code 3; once a page is
+ * open, an exception, or an answer that does not come within a number of milliseconds, is the page's
  * fault: exit code 1.
  */
 export async function browse(patience) {
@@ -19,7 +19,7 @@ export async function browse(patience) {
   );
   let isThere = false;
   const giveUp = (why) => {
-    console.error(isThere ? why : `the page was not looked at: ${why}`);
+    console.error(isThere ? why : `the page was not checked: ${why}`);
     chromium.kill();
     process.exit(isThere ? 1 : 3);
   };

@@ -8,7 +8,7 @@
 //     scripts/look-at-explore.mjs explore.html FOLDER
 //
 // Needs Node and Chromium (CHROMIUM, or `chromium` on the path), and no package.
-// Exit codes: 0 no fault, 1 faults, 2 bad usage, 3 the page could not be looked at.
+// Exit codes: 0 no fault, 1 faults, 2 bad usage, 3 3 the page could not be checked.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";

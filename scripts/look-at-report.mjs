@@ -2,7 +2,7 @@
 // Opens a report as its readers do, in headless Chromium: at a desk, in the dark, on
 // a phone and in print. Fails if the page asks for anything but itself, says
 // anything on the console, or is wider than the phone. Points at cases of its maps, by mouse,
-// keys and touch, and fails unless it tells what labels.csv of the results folder says. With
+// keys and touch, and fails unless it shows the values of labels.csv of the results folder. With
 // SWEEP, the program, where the sweep files are, it runs the commands that the page gives for those
 // cases, and fails unless the page's own motion is that of history.csv to 1e-9. Look at the
 // pictures it leaves.
@@ -10,7 +10,7 @@
 //     scripts/look-at-report.mjs results/fig09/report.html FOLDER [RESULTS …]
 //
 // Needs Node and Chromium (CHROMIUM, or `chromium` on the path), and no package.
-// Exit codes: 0 no fault, 1 faults, 2 bad usage, 3 the page could not be looked at.
+// Exit codes: 0 no fault, 1 faults, 2 bad usage, 3 3 the page could not be checked.
 import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -39,7 +39,7 @@ const read = (results) => {
 };
 
 /** What the page says of a case in an element: the numbers behind its words, and its texts. */
-const told = (selector) =>
+const shownOf = (selector) =>
   evaluate(`(() => {
     const element = document.querySelector(${JSON.stringify(selector)});
     const numbers = [...element.querySelectorAll("[title]")].map((one) => Number(one.title));
@@ -66,12 +66,12 @@ const placeOf = (figure, rows) =>
 /** How near the numbers of the page are to those of labels.csv: of many cases, to four digits. */
 let tolerance = 1e-12;
 
-/** Every number that is told of a case is one of labels.csv, and so many of those are told. */
+/** Every number shown of a case is one of labels.csv, and at least a given count of them is shown. */
 const compare = (what, { shown, text, numbers }, rows, least) => {
   const known = rows.flatMap((row) => Object.values(row).filter((field) => field !== "").map(Number));
   const near = (value) => known.some((other) => Math.abs(other - value) <= tolerance * Math.abs(value));
   fault(!shown, `${what}: nothing is shown`);
-  fault(!text.includes(`Case ${rows[0].case}`), `${what}: tells of another case: ${text}`);
+  fault(!text.includes(`Case ${rows[0].case}`), `${what}: shows another case: ${text}`);
   fault(numbers.length < least, `${what}: ${numbers.length} numbers`);
   for (const value of numbers) fault(!near(value), `${what}: ${value} is not in labels.csv`);
   for (const { torsion, lateral } of rows) {
@@ -120,7 +120,7 @@ const compareHistory = async (what, command, cases) => {
   const [header, ...lines] = readFileSync(join(out, "history.csv"), "utf8").trim().split("\n");
   rmSync(out, { recursive: true });
   const rows = lines.map((line) => line.split(","));
-  // Whirl magnifies rounding from blow to blow: there the motion is held up to the first contact.
+  // Whirl magnifies rounding at each impact: there the motion is compared up to the first contact.
   const until = kept.row.first_contact_s ?? Infinity;
   for (const [place, name] of header.split(",").entries()) {
     if (name === "case" || name === "method") continue;
@@ -150,24 +150,24 @@ const pointAt = async (figure, cases, name) => {
     const what = `${name}, case ${rows[0].case}`;
     const at = await placeOf(figure, rows);
     await mouse("mouseMoved", at);
-    compare(`${what}, pointed at`, await told(".tip"), rows, 2);
+    compare(`${what}, pointed at`, await shownOf(".tip"), rows, 2);
     if (place > 0 && place < all.length - 1) await picture(`${name}-tip`);
     await click(at);
-    const opened = await told("dialog");
+    const opened = await shownOf("dialog");
     compare(`${what}, opened`, opened, rows, 4);
     fault(!opened.text.includes(`--case ${rows[0].case}`), `${what}: no command`);
     // By day alone: the program takes its time.
     await compareHistory(what, name.startsWith("desk") && /sweep (simulate .*)/.exec(opened.text)?.[1], rows);
     if (place > 0 && place < all.length - 1) await picture(`${name}-case`);
     await key("Escape");
-    fault((await told("dialog")).shown, `${what}: Escape does not close it`);
+    fault((await shownOf("dialog")).shown, `${what}: Escape does not close it`);
   }
 };
 
 /** Goes over the first map by keys: to a neighbour, into it and back. */
 const goByKeys = async (cases) => {
   const area = "document.querySelector('.answers')";
-  const shown = async (selector) => Number(/Case (\d+)/.exec((await told(selector)).text)?.[1]);
+  const shown = async (selector) => Number(/Case (\d+)/.exec((await shownOf(selector)).text)?.[1]);
   await mouse("mouseMoved", { x: 0, y: 0 });
   await evaluate(`${area}.blur()`);
   await evaluate(`${area}.focus({ focusVisible: true })`);
@@ -180,19 +180,19 @@ const goByKeys = async (cases) => {
   fault(cases.size > 1 && !(after !== before), `arrow keys stay at case ${before}`);
   const last = await shown(".tip");
   await key("Enter");
-  fault((await shown("dialog")) !== last || !(await told("dialog")).shown, "Enter does not open the case");
+  fault((await shown("dialog")) !== last || !(await shownOf("dialog")).shown, "Enter does not open the case");
   await key("Escape");
   fault((await evaluate(`document.activeElement === ${area}`)) !== true, "Escape does not go back to the map");
 };
 
-/** A finger: a first touch tells, a second opens. */
+/** A finger: a first touch shows the values, a second opens the case. */
 const touch = async (rows) => {
   const place = await placeOf(0, rows);
   for (const expected of [".tip", "dialog"]) {
     await page("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [place] });
     await page("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-    const said = await told(expected);
-    fault(!said.shown || !said.text.includes(`Case ${rows[0].case}`), `touch: ${expected} does not tell of the case`);
+    const said = await shownOf(expected);
+    fault(!said.shown || !said.text.includes(`Case ${rows[0].case}`), `touch: ${expected} does not show the case`);
     if (expected === "dialog") await compareHistory("phone", null, rows);
     await picture(expected === "dialog" ? "phone-case" : "phone-tip");
   }
@@ -230,7 +230,7 @@ for (const [name, width, height, scheme, scale] of [
   }
   if (tables.length > 0 && name === "desk") await goByKeys(tables[0]);
 }
-// A sheet of A4 as a picture too, by readers of the dark.
+// A page of A4 as a picture too, in a dark colour scheme.
 await page("Emulation.setDeviceMetricsOverride", { width: 680, height: 960, deviceScaleFactor: 1, mobile: false });
 await page("Emulation.setEmulatedMedia", { media: "print", features: [{ name: "prefers-color-scheme", value: "dark" }] });
 await load();

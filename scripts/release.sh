@@ -10,7 +10,8 @@
 # Needs a Rust toolchain for Linux on x86-64 and the C library to link with, libc.a: libc6-dev on
 # Debian, glibc-static on Fedora. What a release build has made is used again, and afterwards
 # target/release/sweep is the static program until the next build.
-# docs/without-rust.md tells how the archive is used, and what glibc asks of whoever passes it on.
+# docs/without-rust.md explains how the archive is used, and what glibc's licence asks of those who
+# pass it on.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -40,7 +41,7 @@ trap 'rm -rf "$work"' EXIT
 folder=$work/$name
 mkdir -p "$folder"/{bin,completions,man/man1,scripts}
 cp "$sweep" "$folder/bin/"
-cp README.md CHANGELOG.md LICENSE-* "$folder/"
+cp README.md ARCHITECTURE.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE-* "$folder/"
 cp crates/plot/src/fonts/LICENSE* "$folder/LICENSE-DEJAVU"
 cp -R docs sweeps "$folder/"
 cp scripts/slurm.sh "$folder/scripts/"

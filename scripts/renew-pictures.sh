@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Renews the pictures of the guide, docs/images, from the sweep files that are shipped: some six
 # minutes on two cores that have nothing else to do, for times are among what is drawn. What the
-# commands say, the numbers that the guide quotes, goes to standard output. The sheets of
-# pictures take Node and Chromium. Two pictures are copied by hand: the maps of
-# `sweep run sweeps/well_b_fit.toml` and of the hundred thousand cases of docs/unknowns.md.
+# commands say, the numbers that the guide quotes, goes to standard output. The overviews of
+# pictures need Node and Chromium. Two pictures are copied by hand: the maps of `sweep run
+# sweeps/well_b_fit.toml` and of the hundred thousand cases of docs/unknowns.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$(mktemp -d)
@@ -66,16 +66,16 @@ done
 cp "$folder/tradeoff/tradeoff.png" "$folder/stability/stability.png" \
     "$folder/contacts/contacts_limit.png" "$images/"
 
-# sheet NUMBER PICTURE...: puts pictures at the width of a column side by side
+# overview NUMBER PICTURE...: puts pictures at the width of a column side by side
 paper=(--width 90mm --font-size 8pt --format png)
-sheet() {
+overview() {
     local number=$1 picture
     shift
     local files=()
     for picture in "$@"; do
         files+=("$folder/paper/$picture.png")
     done
-    scripts/sheet-of-pictures.mjs "$images/pictures_90mm_$number.png" "${files[@]}"
+    scripts/overview-of-pictures.mjs "$images/pictures_90mm_$number.png" "${files[@]}"
 }
 for figure in fig07a fig08b fig11 fig12 fig15 fig16a; do
     "$sweep" simulate "sweeps/$figure.toml" --out "$folder/paper/$figure" "${paper[@]}"
@@ -88,8 +88,8 @@ for figure in fig09 fig09_certified fig14 fig17 fig17_trace; do
     cp -r "$folder/$figure" "$folder/paper/$figure"
     "$sweep" plot "$folder/paper/$figure" "${paper[@]}"
 done
-sheet 1 fig06/inspect fig07a/history fig08b/history fig09/map fig09_certified/map fig11/history \
+overview 1 fig06/inspect fig07a/history fig08b/history fig09/map fig09_certified/map fig11/history \
     fig12/{history,orbit,contacts,string} fig13/{string,orbit}
-sheet 2 fig14/map fig17/map fig17_trace/map fig15/{history,orbit} fig16a/history \
+overview 2 fig14/map fig17/map fig17_trace/map fig15/{history,orbit} fig16a/history \
     fig16b/{contacts,film,orbit,string} well_12in/{inspect,top_drive}
 du -ch "$images"/*.png | tail -n 1

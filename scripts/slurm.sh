@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs a sweep on a Slurm cluster: an array with a shard a task, and a job after
-# it that merges the shards. docs/cluster.md tells what happens then.
+# it that merges the shards. docs/cluster.md explains what happens then.
 #
 #   scripts/slurm.sh SWEEP.toml SHARDS [OUT] [-- SBATCH-OPTION...]
 #
@@ -9,7 +9,7 @@
 # options  for both jobs, such as --time=4:00:00 --cpus-per-task=16 --partition=short
 #
 # $SWEEP     the program [default: sweep, on the PATH]
-# $MARGIN_S  how long before its time limit a task asks to go on later [default: 60]
+# $MARGIN_S  how long before its time limit a task asks to continue later [default: 60]
 set -euo pipefail
 
 refuse() {

@@ -26,7 +26,8 @@ else
     echo "try-release.sh: an empty root needs root or user namespaces: not tried" >&2
     exit 0
 fi
-# answers COMMAND...: a map and a page of a sweep file of its own, each file of which is there
+# answers COMMAND...: a map and a page of a sweep file written for this, each file of which must
+# exist
 answers() {
     "$@" /sweep new --force my-sweep.toml
     "$@" /sweep run my-sweep.toml --out results --fresh

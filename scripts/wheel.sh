@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the wheel of the Python package into dist/. Needs Python 3.10 or later with venv
-# and pip; maturin goes into a venv of its own below target/. What the workspace has built
+# and pip; maturin goes into a separate venv below target/. What the workspace has built
 # with --release is used again.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,5 +1,5 @@
-//! A sweep that asks for an accuracy: what it is given is within it, by a limit found
-//! at a much higher sampling frequency, and the same whoever runs it.
+//! A sweep that asks for an accuracy: what it is given is within it, by a limit found at a much
+//! higher sampling frequency, and the same on every machine.
 
 use crate::support::{Workplace, with};
 
@@ -153,7 +153,7 @@ weight_on_bit_kn = { values = [40, 70] }
 "#;
 
 #[test]
-fn the_choice_is_the_same_whatever_the_threads_and_the_spelling() {
+fn the_choice_is_the_same_for_any_threads_and_spelling() {
     let place = Workplace::new();
     for (name, accuracy) in [("a", "\"30 %\""), ("b", "0.3"), ("c", "\"30%\"")] {
         place.write(&format!("{name}.toml"), asking(accuracy, FEW));
@@ -171,7 +171,7 @@ fn the_choice_is_the_same_whatever_the_threads_and_the_spelling() {
             assert_eq!(manifest(&place, other)[key], first[key], "{other}");
         }
     }
-    // The same sweep goes on, and another accuracy is another sweep.
+    // The same sweep continues, and another accuracy is another sweep.
     let again = place.sweep(&["run", "b.toml", "--out", "a"]);
     assert!(again.output.starts_with("complete already"), "{again:?}");
     place.write("d.toml", asking("0.4", FEW));
@@ -195,7 +195,7 @@ fn shards_choose_alike_and_merge() {
 }
 
 #[test]
-fn what_was_chosen_is_told() {
+fn what_was_chosen_is_reported() {
     let place = Workplace::with_small(&asking("\"30 %\"", FEW));
     for arguments in [
         &["run", "small.toml", "--dry-run"][..],
@@ -203,16 +203,16 @@ fn what_was_chosen_is_told() {
         &["run", "small.toml"],
     ] {
         let answer = place.sweep(arguments);
-        for told in ["accuracy 30 %: ", "reference: held at"] {
-            assert!(answer.output.contains(told), "{answer:?}");
+        for reported in ["accuracy 30 %: ", "reference: held at"] {
+            assert!(answer.output.contains(reported), "{answer:?}");
         }
     }
     // The other commands use it too, and say on the error stream what it took.
     let simulated = place.sweep(&["simulate", "small.toml", "--case", "1"]);
     assert_eq!(simulated.code, 0);
-    let told = simulated.errors.lines().last().unwrap_or_default();
+    let reported = simulated.errors.lines().last().unwrap_or_default();
     assert!(
-        told.starts_with("accuracy: ") && told.contains(" Hz, chosen in "),
+        reported.starts_with("accuracy: ") && reported.contains(" Hz, chosen in "),
         "{simulated:?}"
     );
 }
@@ -245,13 +245,13 @@ fn what_is_given_last_replaces_the_other_and_both_at_once_are_refused() {
         place.write("both.toml", both);
         let answer = place.sweep(&["run", "both.toml"]);
         assert_eq!(answer.code, 2);
-        let meant = format!("both.toml:2: `accuracy`: is given instead of `{key}`");
+        let meant = format!("both.toml:2: `accuracy`: conflicts with `{key}`: give only one");
         assert!(answer.errors.contains(&meant), "{answer:?}");
     }
 }
 
 #[test]
-fn an_accuracy_that_cannot_be_is_refused() {
+fn an_invalid_accuracy_is_refused() {
     let form = "expected an accuracy such as \"1 %\" or 0.01";
     for (accuracy, meant) in [
         ("\"1 percent\"", form),

@@ -134,7 +134,7 @@ fn counts_are_those_of_the_labels() {
 /// Shards are counted together as the whole is, and so is a run that is not finished as far as it
 /// is; the same cases are not counted twice.
 #[test]
-fn parts_are_counted_together_and_strangers_are_not() {
+fn shards_are_counted_together_and_foreign_folders_are_not() {
     let place = Workplace::with_small(&random(60));
     run(&place, &["--out", "whole"]);
     run(&place, &["--shard", "0/2", "--out", "one"]);
@@ -156,8 +156,8 @@ fn parts_are_counted_together_and_strangers_are_not() {
         assert!(answer.errors.contains(meant), "{}", answer.errors);
     }
     place.write("small.toml", random(60).replace("seed = 2", "seed = 3"));
-    run(&place, &["--shard", "1/2", "--out", "stranger"]);
-    let answer = place.sweep(&["analyse", "one", "stranger"]);
+    run(&place, &["--shard", "1/2", "--out", "foreign"]);
+    let answer = place.sweep(&["analyse", "one", "foreign"]);
     assert!(
         answer.errors.contains("are not of one sweep"),
         "{}",
@@ -206,7 +206,7 @@ fn how_likely_a_regime_is_can_be_drawn() {
 }
 
 #[test]
-fn a_picture_that_cannot_be_is_refused() {
+fn an_impossible_picture_is_refused() {
     let place = Workplace::with_small(&random(30));
     run(&place, &["--out", "out"]);
     let speed = ["--by", "surface_speed_rpm"];
@@ -239,7 +239,7 @@ fn a_picture_that_cannot_be_is_refused() {
     }
 }
 
-/// So many more cases as it says bring the interval to the width asked for.
+/// The number of further cases that it gives brings the interval to the width asked for.
 #[test]
 fn as_many_more_cases_as_it_says_are_enough() {
     let place = Workplace::with_small(&random(100));

@@ -93,7 +93,7 @@ fn certificates_are_what_a_run_in_shorter_steps_says() {
     const CASES: usize = 12;
     for scene in [of_a_bit, at_a_wall] {
         let place = Workplace::new();
-        let told = run(
+        let reported = run(
             &place,
             &scene(CASES, 100.0, "certify = true\n"),
             "certified",
@@ -118,7 +118,7 @@ fn certificates_are_what_a_run_in_shorter_steps_says() {
             "contact_fraction",
             "precession_turns_per_s",
         ] {
-            let [told, finer, exact] = [
+            let [reported, finer, exact] = [
                 (&certified, format!("finer_{own}")),
                 (&finer, own.to_owned()),
                 (&exact, own.to_owned()),
@@ -131,7 +131,7 @@ fn certificates_are_what_a_run_in_shorter_steps_says() {
                     "held" => exact[row],
                     _ => finer[row],
                 };
-                assert_eq!(told[row], expected);
+                assert_eq!(reported[row], expected);
             }
         }
         // A row is certain where it has the label that is, which both methods have.
@@ -148,7 +148,12 @@ fn certificates_are_what_a_run_in_shorter_steps_says() {
         }
         for (count, word) in certain.into_iter().zip(["torsional", "lateral"]) {
             let words = format!("certain, {word}: {count} of {CASES} cases");
-            assert_eq!(told.output.contains(&words), count > 0, "{}", told.output);
+            assert_eq!(
+                reported.output.contains(&words),
+                count > 0,
+                "{}",
+                reported.output
+            );
         }
         // Of the bit's rotation some are and some are not.
         assert!((1..CASES).contains(&certain[0]), "{certain:?}");
@@ -246,7 +251,7 @@ fn threads_shards_and_raising_do_not_change_certificates() {
 
 /// Killed with some of its cases done.
 #[test]
-fn a_run_that_is_killed_goes_on_with_its_certificates() {
+fn a_run_that_is_killed_continues_with_its_certificates() {
     let place = Workplace::new();
     let text = of_a_bit(80, 100.0, "certify = true\n");
     run(&place, &text, "whole", &["--quiet"]);
@@ -268,10 +273,10 @@ fn a_run_that_is_killed_goes_on_with_its_certificates() {
     child.kill().unwrap();
     child.wait().unwrap();
     assert!((20..240).contains(&lines()), "{}", lines());
-    // As far as it is, it can be told.
+    // What is done can be summarised.
     let answer = place.sweep(&["summary", "stopped"]);
-    let told = "Cases whose label is certain";
-    assert!(answer.output.contains(told), "{answer:?}");
+    let reported = "Cases whose label is certain";
+    assert!(answer.output.contains(reported), "{answer:?}");
     run(&place, &text, "stopped", &["--quiet"]);
     let [whole, stopped] =
         ["whole", "stopped"].map(|folder| read(&place, &format!("{folder}/labels.csv")));

@@ -1,9 +1,9 @@
-//! Sensitivity designs: blocks of cases, raised, in parts and with strings of their own, and what
-//! `analyse` says of them.
+//! Sensitivity designs: blocks of cases, raised, in shards and with a string for each case, and
+//! what `analyse` says of them.
 
 use crate::support::{Answer, Workplace, small_with_design, with};
 
-/// So many blocks over the speed, from standstill to beyond the limit, and hardly any weight.
+/// A number of blocks over the speed, from standstill to beyond the limit, and hardly any weight.
 fn two_axes(blocks: usize) -> String {
     small_with_design(&format!(
         "[design]\nkind = \"sensitivity\"\nseed = 4\ncases = {blocks}\n[design.axes]\n\
@@ -13,7 +13,7 @@ fn two_axes(blocks: usize) -> String {
 }
 
 /// The same at points of Sobol's sequence, and over an axis of the string, where a pipe with some
-/// of its values cannot be.
+/// of its values is invalid.
 fn with_tubes(blocks: usize) -> String {
     let text = with(
         &two_axes(blocks),
@@ -119,7 +119,7 @@ fn indices_are_those_of_the_labels() {
         );
     }
     assert!(table.contains(",smooth,weight_on_bit_kn,150,"), "{table}");
-    // Whatever is not the other of two regimes has its indices.
+    // The complement of a regime has the same indices.
     assert!(!said.contains("smooth by quadrature:"), "{said}");
     // What decides comes first, and does so in severity, too.
     for caption in [caption, "stick_slip_severity by quadrature:"] {
@@ -198,7 +198,7 @@ fn blocks_are_raised_and_dealt_as_random_cases_are() {
 /// A block with a case that has no answer is left out and counted, as is one that is not there
 /// whole.
 #[test]
-fn broken_blocks_are_left_out_and_told() {
+fn broken_blocks_are_left_out_and_reported() {
     let place = Workplace::new();
     run(&place, with_tubes(64), "out", &[]);
     let rows = rows(&read(&place, "out/labels.csv"));
@@ -226,16 +226,16 @@ fn broken_blocks_are_left_out_and_told() {
 /// Intervals that hold for independent cases are said to be too wide for Sobol points, and only
 /// for these.
 #[test]
-fn what_intervals_say_of_sobol_points_is_told() {
+fn intervals_of_sobol_points_are_explained() {
     let place = Workplace::new();
     let random = with(&two_axes(40), "sensitivity", "monte-carlo");
     let sobol = with(&random, "seed = 4", "seed = 4\npoints = \"sobol\"");
-    for (text, is_told) in [(random, false), (sobol, true)] {
+    for (text, is_reported) in [(random, false), (sobol, true)] {
         run(&place, text, "out", &["--fresh"]);
         let said = analysed(&place, &["out"]);
         assert_eq!(
             said.contains("usually wider than need be"),
-            is_told,
+            is_reported,
             "{said}"
         );
         let answer = place.sweep(&["analyse", "out", "--indices", "indices.csv"]);

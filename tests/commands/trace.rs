@@ -71,8 +71,11 @@ impl Both {
     fn run(trace: &str, grid: &str) -> Self {
         let place = Workplace::with_small(trace);
         place.write("grid.toml", grid);
-        let told = run(&place, "small.toml", "traced", &[]);
-        assert!(told.contains("cases of a grid as fine, 4225"), "{told}");
+        let reported = run(&place, "small.toml", "traced", &[]);
+        assert!(
+            reported.contains("cases of the equivalent grid, 4225"),
+            "{reported}"
+        );
         run(&place, "grid.toml", "grid", &["--quiet"]);
         Self {
             traced: read(&place, "traced/labels.csv"),
@@ -137,7 +140,7 @@ fn a_trace_has_rows_of_the_grid_and_its_lines_part_regimes() {
     assert!(both.bands.is_empty());
 }
 
-/// A short string without joints to speak of: from rest chance decides beside its limit.
+/// A short string without joints to speak of: from rest chance decides near its limit.
 #[test]
 fn the_parts_of_tiles_are_those_of_the_grid_where_a_limit_is_ragged() {
     let from_rest = |design| format!("start = \"ramp\"\n{}", small(design));
@@ -193,7 +196,7 @@ fn threads_and_stops_do_not_change_a_trace() {
         }
         stops += 1;
         if place.path("stopped/cases.log").exists() {
-            // As far as it is, it can be told.
+            // What is done can be summarised.
             let answer = place.sweep(&["summary", "stopped"]);
             assert!(matches!(answer.code, 0 | 2), "{}", answer.errors);
         }
@@ -237,7 +240,7 @@ fn fractions_of_a_trace_are_not_counted() {
     assert!(answer.errors.contains("bands.csv"), "{answer:?}");
 }
 
-/// An axis of the string beside one that is not: a linear system for each of its values.
+/// An axis of the string together with one that is not: a linear system for each of its values.
 #[test]
 fn a_trace_may_go_over_the_string_itself() {
     let design = with(
@@ -268,9 +271,9 @@ fn a_trace_may_go_over_the_string_itself() {
 #[test]
 fn before_it_is_run_a_trace_tells_what_it_may_take() {
     let place = Workplace::with_small(&small(TRACE));
-    let told = run(&place, "small.toml", "out", &["--dry-run"]);
+    let reported = run(&place, "small.toml", "out", &["--dry-run"]);
     for words in ["a trace (from 81 cases on", "grid of 65 × 65", "perhaps "] {
-        assert!(told.contains(words), "no {words:?} in {told}");
+        assert!(reported.contains(words), "no {words:?} in {reported}");
     }
     assert!(!place.path("out").exists());
 }

@@ -167,7 +167,7 @@ fn a_cell_is_safe_where_cases_around_it_are_smooth_and_above_eq_74() {
             "{w} {s}"
         );
     }
-    assert!(said.contains("not looked at"), "{said}");
+    assert!(said.contains("not examined"), "{said}");
     for name in ["window.svg", "window.png"] {
         assert!(place.path(&format!("results/small/{name}")).exists());
     }
@@ -182,8 +182,8 @@ fn what_was_not_simulated_is_not_known() {
     let arguments = ["window", "small.toml", "results/small/shard-0-of-5"];
     let said = done(&place, &arguments);
     let found = cells(&place, "results/small/shard-0-of-5/window.csv");
-    let untold = found.iter().filter(|cell| cell.standing == "untold");
-    assert!(untold.count() > found.len() / 10, "{said}");
+    let undetermined = found.iter().filter(|cell| cell.standing == "untold");
+    assert!(undetermined.count() > found.len() / 10, "{said}");
     // A list of cases here and there says nothing of what is between.
     place.write(
         "cases.csv",
@@ -315,8 +315,8 @@ fn random_string(numbers: &mut Numbers, [shortest, longest]: [f64; 2]) -> String
     )
 }
 
-/// How often what is safe is not, by a method that the window did not see: on so many random strings
-/// as `STRINGS` says, traced to 1/64 of the axes, 400 random cases each.
+/// How often what is safe is not, by a method that the window did not see: on a number of random
+/// strings, `STRINGS`, traced to 1/64 of the axes, 400 random cases each.
 #[test]
 fn what_is_safe_is_smooth_by_another_method_too() {
     let strings = std::env::var("STRINGS")
@@ -422,7 +422,7 @@ fn what_says_nothing_of_limits_over_both_axes_is_refused() {
     refused(
         &place,
         &["window", "small.toml", "--margin", "2"],
-        "is not a part from 0 to 0.5",
+        "is not a fraction from 0 to 0.5",
     );
     refused(
         &place,

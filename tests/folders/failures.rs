@@ -25,7 +25,7 @@ fn sticking_of(responses: &Responses, string: &Drillstring) -> Sticking {
     )
 }
 
-/// So many sections of the paper's drillpipe.
+/// A number of sections of the paper's drillpipe.
 fn drillpipe(repeat: usize, damping: f64) -> Drillstring {
     let academic = academic::string();
     let pipe = Section {
@@ -105,7 +105,7 @@ fn the_trapezoidal_rule_chatters_and_backward_differences_do_not() {
     assert_holds(&Method::Quadrature);
 }
 
-/// Whatever the sampling frequency.
+/// At any sampling frequency.
 #[test]
 fn held_loads_hold_a_sticking_bit() {
     assert_holds(&Method::Held);

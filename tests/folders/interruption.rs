@@ -1,4 +1,4 @@
-//! Runs that are stopped, however they are, and go on: what was finished is kept,
+//! Runs that are stopped, in any way, and continued: what was finished is kept,
 //! and the end is the same to the byte.
 
 #[cfg(unix)]

@@ -170,7 +170,7 @@ fn what_another_wrote_is_not_lost_without_force() {
             "small.toml",
             "reference.csv",
             "--output",
-            "told.txt",
+            "report.txt",
         ],
         &[
             "check",
@@ -179,7 +179,7 @@ fn what_another_wrote_is_not_lost_without_force() {
             "--format",
             "github",
             "--output",
-            "told.txt",
+            "report.txt",
         ],
         &[
             "check",
@@ -188,14 +188,14 @@ fn what_another_wrote_is_not_lost_without_force() {
             "--format",
             "junit",
             "--output",
-            "told.txt",
+            "report.txt",
         ],
         &[
             "check",
             "small.toml",
             "reference.csv",
             "--output",
-            "told.txt",
+            "report.txt",
         ],
     ] {
         let answer = place.sweep(arguments);

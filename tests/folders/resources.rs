@@ -236,20 +236,23 @@ fn strings_are_built_one_by_one_where_memory_is_short() {
 /// A string that may touch at many sites is stepped by finite elements; one whose places are
 /// two hundred would take gigabytes otherwise.
 #[test]
-fn a_string_that_is_stepped_takes_no_more_than_told() {
+fn a_string_that_is_stepped_takes_no_more_than_estimated() {
     let text = with(&lateral(200, 0.4), "time_s = 12", "time_s = 60");
     let text = with(&text, "\"quadrature\"", "\"finite-element\"");
     let place = Workplace::with_small(&text);
-    let told = peaks::estimate(&place, "run");
-    assert!(told < 1e9, "{told}");
-    let limit = format!("{}", told + 1024.0 * 1024.0);
+    let reported = peaks::estimate(&place, "run");
+    assert!(reported < 1e9, "{reported}");
+    let limit = format!("{}", reported + 1024.0 * 1024.0);
     let peak = peaks::peak(&place, &[&RUN[..], &["--memory", &limit]].concat());
-    assert!(peak.is_none_or(|peak| peak <= told), "{peak:?} {told}");
+    assert!(
+        peak.is_none_or(|peak| peak <= reported),
+        "{peak:?} {reported}"
+    );
 }
 
 /// Of a string in many pieces that is held against a recording every node's motion is kept.
 #[test]
-fn a_string_in_many_pieces_takes_no_more_than_told() {
+fn a_string_in_many_pieces_takes_no_more_than_estimated() {
     let setting = &SMALL[..SMALL.find("[bit]").unwrap()];
     let setting = with(setting, "repeat = 10", "repeat = 100");
     let compare = "[[compare]]\ntrace = \"bit_speed_rpm\"\nfile = \"recorded.csv\"\n\
@@ -267,10 +270,13 @@ fn a_string_in_many_pieces_takes_no_more_than_told() {
     place.write("recorded.csv", "time_s,speed_rpm\n0,0\n10,60\n");
     let survey = "measured_depth_m,inclination_deg,azimuth_deg\n0,10,0\n1000,40,0\n";
     place.write("survey.csv", survey);
-    let told = peaks::estimate(&place, "run");
-    let limit = format!("{}", told + 1024.0 * 1024.0);
+    let reported = peaks::estimate(&place, "run");
+    let limit = format!("{}", reported + 1024.0 * 1024.0);
     let peak = peaks::peak(&place, &[&RUN[..], &["--memory", &limit]].concat());
-    assert!(peak.is_none_or(|peak| peak <= told), "{peak:?} {told}");
+    assert!(
+        peak.is_none_or(|peak| peak <= reported),
+        "{peak:?} {reported}"
+    );
 }
 
 #[test]
@@ -293,9 +299,9 @@ fn a_dry_run_and_inspect_tell_memory_and_time() {
     }
 }
 
-/// A wall time is told of what would take days, and of what has no memory to fill.
+/// A wall time is given for a sweep of days, and for one that takes no memory.
 #[test]
-fn a_sweep_of_days_is_told_so_and_not_refused() {
+fn a_sweep_of_days_gets_its_time_and_is_not_refused() {
     let design = "[design]\nkind = \"monte-carlo\"\ncases = 900000\n[design.axes]\n\
                   friction = { from = 0.5, to = 3 }\n";
     let text = with(&lateral(2, 30.0), "friction = 1.5\n", "") + design;
@@ -321,7 +327,7 @@ fn an_accuracy_that_takes_too_much_memory_says_so() {
     let text = with(&text, "methods = [\"quadrature\"]", "accuracy = \"0.1 %\"");
     let place = Workplace::with_small(&text);
     let words = [
-        "small.toml:5: `accuracy`: 0.1 % cannot be told",
+        "small.toml:5: `accuracy`: 00.1 % cannot be estimated",
         " Hz the reference is too large for the memory: ",
         "more than 2 MiB, given by --memory",
     ];

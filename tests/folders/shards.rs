@@ -232,7 +232,7 @@ fn a_stopped_run_is_not_merged_over() {
 }
 
 #[test]
-fn a_shard_that_cannot_be_is_refused() {
+fn an_invalid_shard_is_refused() {
     let place = Workplace::with_small(SMALL);
     for (shard, meant) in [
         ("2/2", "I from 0 to N − 1"),

@@ -72,8 +72,8 @@ fn fig_14_in_shards_with_one_requeued_gives_the_labels_of_one_machine() {
 
     let state = cluster.end_of(&merge, SIMULATIONS);
     assert_eq!(state, "COMPLETED", "{}", cluster.report());
-    let told = text(place, &format!("{RESULTS}/slurm/shard-1.log"));
-    assert!(told.contains("stopped: "), "{}", cluster.report());
+    let reported = text(place, &format!("{RESULTS}/slurm/shard-1.log"));
+    assert!(reported.contains("stopped: "), "{}", cluster.report());
     let requeued = cluster.job(&format!("{array}_1"));
     assert_eq!(field(&requeued, "Restarts"), "1", "{requeued}");
     labels_agree(place, "single", RESULTS);
@@ -94,8 +94,8 @@ fn an_incomplete_merge_names_the_shards_to_submit_again() {
     let state = cluster.end_of(&merge, SOON);
     assert_eq!(state, "FAILED", "{}", cluster.report());
     assert_eq!(field(&cluster.job(&merge), "ExitCode"), "4:0");
-    let told = text(place, "out/slurm/merge.log");
-    assert_eq!(told.lines().last(), Some("run again: 1"), "{told}");
+    let reported = text(place, "out/slurm/merge.log");
+    assert_eq!(reported.lines().last(), Some("run again: 1"), "{reported}");
 
     // As docs/cluster.md says. The scripts are held as they were submitted.
     let again = |arguments: &[&str]| {
@@ -141,12 +141,12 @@ fn a_task_near_its_time_limit_goes_back_to_the_queue() {
         "--shard 0/1 --out {}",
         place.path("out/shard-0-of-1").display()
     );
-    let told = cluster.wait_until("second start", SOON, || {
-        let told = text(place, "out/slurm/shard-0.log");
-        told.contains(&expected).then_some(told)
+    let reported = cluster.wait_until("second start", SOON, || {
+        let reported = text(place, "out/slurm/shard-0.log");
+        reported.contains(&expected).then_some(reported)
     });
     let stopped = "terminated, child of slurmstepd\n";
-    assert_eq!(told.matches(stopped).count(), 1, "{told}");
+    assert_eq!(reported.matches(stopped).count(), 1, "{reported}");
 }
 
 #[test]
@@ -167,10 +167,10 @@ fn what_cannot_be_submitted_is_refused_in_a_line() {
             .current_dir(place.path(""))
             .output()
             .unwrap();
-        let told = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{arguments}: {told}");
-        assert!(told.contains(word), "{arguments}: {told}");
-        assert_eq!(told.lines().count(), 1, "{arguments}: {told}");
+        let reported = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {reported}");
+        assert!(reported.contains(word), "{arguments}: {reported}");
+        assert_eq!(reported.lines().count(), 1, "{arguments}: {reported}");
         assert!(!place.path("out").exists() && !place.path("results").exists());
     }
 }

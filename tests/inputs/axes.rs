@@ -67,7 +67,7 @@ mass_kg = 30
 offset_m = 0.05
 "#;
 
-/// A string with two sites, each knocked against its wall by an impulse in multiples of its I₀.
+/// A string with two sites, each driven against its wall by an impulse in multiples of its I₀.
 const TOUCHING: &str = r#"
 surface_speed_rpm = 90
 time_s = 3
@@ -225,7 +225,7 @@ fn of_file(text: &str) -> Vec<String> {
     rows
 }
 
-/// Of both sites, whoever gives the number in the file; I₀ follows the clearance.
+/// Of both sites, wherever the number is given in the file; I₀ follows the clearance.
 #[test]
 fn a_value_along_an_axis_of_the_wall_is_that_value_in_the_file() {
     for (key, [file, other]) in OF_WALL {
@@ -386,7 +386,7 @@ fn an_axis_of_what_is_not_there_is_refused() {
         .collect::<String>();
     for (text, axis, meant) in [
         (bare, "torque_static_ratio", "needs a table [bit]"),
-        (bare, "rock_friction", "needs a rock with a law of its own"),
+        (bare, "rock_friction", "needs a rock with `law`"),
         (
             &without_cleaning,
             "rock_poor_cleaning_from_kn",
@@ -430,7 +430,7 @@ fn an_axis_of_what_is_not_there_is_refused() {
 
 /// A number that no wall has is refused with file, line and key, of one site and of all.
 #[test]
-fn a_wall_that_is_none_is_refused() {
+fn an_invalid_wall_is_refused() {
     for (axis, value) in [
         ("clearance_mm", 0.0),
         ("site_1_clearance_mm", 2000.0),

@@ -80,7 +80,7 @@ fn a_table_missing_from_the_whole_file_is_named() {
 }
 
 #[test]
-fn a_string_that_cannot_be_is_refused() {
+fn an_invalid_string_is_refused() {
     each_is_refused(
         r#"
         length_m = 0.5 => length_m = 0 | string.sections[0].parts[1].length_m | 0 m is not between 0.001 and
@@ -247,7 +247,7 @@ fn responses_that_cannot_be_built_are_the_files_fault() {
 }
 
 #[test]
-fn a_bit_that_cannot_be_is_refused() {
+fn an_invalid_bit_is_refused() {
     each_is_refused(
         r#"
         "sandstone" => "sandston" | bit.rock | did you mean `sandstone`?
@@ -335,7 +335,7 @@ fn a_key_of_another_kind_of_design_is_refused() {
 }
 
 #[test]
-fn times_that_cannot_be_are_refused() {
+fn invalid_times_are_refused() {
     each_is_refused(
         r#"
         time_s = 12 => time_s = -12 | time_s | -12 s is not between
@@ -346,7 +346,7 @@ fn times_that_cannot_be_are_refused() {
 }
 
 #[test]
-fn axes_of_the_string_that_cannot_be_are_refused() {
+fn invalid_axes_of_the_string_are_refused() {
     let axes = "count = 3 }\n";
     for (axis, key, meant) in [
         (

@@ -21,7 +21,7 @@ Drillpipe,100,5,100,950,NC50
 Collar,10,8,75,95,
 ";
 
-/// `labels.csv` of a sweep, beside these files.
+/// `labels.csv` of a sweep, with these files in its folder.
 #[track_caller]
 fn labels(string: &str, files: &[(&str, &[u8])]) -> String {
     let place = Workplace::with_small(&sweep(string));
@@ -79,12 +79,8 @@ fn a_sheet_and_sections_replace_one_another_over_a_base() {
     let answer = place.sweep(&["inspect", "small.toml", "--out", "looked"]);
     assert_eq!(answer.code, 0, "{answer:?}");
     assert!(answer.output.contains("1045.000 m"), "{}", answer.output);
-    // What is passed over is told.
-    assert!(
-        answer
-            .errors
-            .contains("columns that say nothing here: `thread`")
-    );
+    // Ignored columns are reported.
+    assert!(answer.errors.contains("ignored columns: `thread`"));
     place.write("other.toml", sweep("file = \"bha.csv\""));
     place.write("small.toml", format!("base = \"other.toml\"\n{sections}"));
     let answer = place.sweep(&["inspect", "small.toml", "--out", "looked"]);
@@ -92,7 +88,7 @@ fn a_sheet_and_sections_replace_one_another_over_a_base() {
 }
 
 #[test]
-fn a_weight_makes_tool_joints_and_a_doubtful_one_is_told() {
+fn a_weight_makes_tool_joints_and_a_doubtful_one_is_reported() {
     let sheet = "element,joints,od_in,id_in,length_m,weight_kg\n\
         Drillpipe,100,5,4.276,950,32000\nCollar,10,8,3,95,30000\n";
     let place = Workplace::with_small(&sweep("file = \"bha.csv\""));
@@ -105,9 +101,9 @@ fn a_weight_makes_tool_joints_and_a_doubtful_one_is_told() {
         .collect::<Vec<_>>()
         .join(" ");
     assert!(words.contains("100 tool joints of 6.25 in"), "{words}");
-    let told = "warning: bha.csv:3: Collar: its weight is 44.3 % more than that of its \
+    let reported = "warning: bha.csv:3: Collar: its weight is 44.3 % more than that of its \
                 dimensions, which are taken";
-    assert!(answer.errors.contains(told), "{}", answer.errors);
+    assert!(answer.errors.contains(reported), "{}", answer.errors);
 }
 
 #[test]
@@ -167,7 +163,7 @@ fn mistakes_in_a_sheet_are_refused_with_file_and_line() {
         ("order = \"from-bit\"", "small.toml:9: `string.order`"),
         (
             "sections = []\nfile = \"a.csv\"",
-            "small.toml:10: `file`: is given instead of `sections`",
+            "small.toml:10: `file`: conflicts with `sections`: give only one",
         ),
     ] {
         refused(&Workplace::with_small(&sweep(string)), &RUN, &[words]);

@@ -23,7 +23,7 @@ use files::{Random, sweep_file};
 /// Files in a run of all tests.
 const FILES: u64 = 120;
 
-/// One of them for which what was tried for its accuracy took more memory than was told.
+/// One of them whose attempts for its accuracy took more memory than estimated.
 const HARD: u64 = 385;
 
 /// What the program may use by its own estimate, and what the system gives it: the
@@ -57,7 +57,7 @@ fn end_of(number: u64) -> Result<&'static str, String> {
     let (status, errors) = limited(&place.command(&arguments));
     let wrong = |what: String| Err(format!("file {number}: {what}\n{errors}\n{text}"));
     let Some(status) = status else {
-        return wrong("goes on though it was asked to stop".to_owned());
+        return wrong("continues though it was asked to stop".to_owned());
     };
     if errors.contains("panicked") {
         return wrong("a panic".to_owned());

@@ -97,10 +97,10 @@ fn surveys_are_read_as_people_have_them() {
             "{text}: {found}, not {expected}"
         );
         let has_units = !text.starts_with("md,");
-        let told = answer
+        let reported = answer
             .errors
             .contains("`md` names no unit: its numbers are taken to be in m");
-        assert_eq!(told, !has_units, "{}", answer.errors);
+        assert_eq!(reported, !has_units, "{}", answer.errors);
     }
 }
 
@@ -113,7 +113,7 @@ fn surveys_that_may_mean_two_things_are_refused() {
         ),
         (
             "MD (yd),Inc,Azi\n0,0,0\n2500,30,0\n",
-            "survey.csv:1: `MD (yd)`: `yd` is none of the units known here: m, ft,",
+            "survey.csv:1: `MD (yd)`: `yd` is not one of the known units: m, ft,",
         ),
         (
             "TVD (m),Inc,Azi\n0,0,0\n2500,30,0\n",
@@ -266,16 +266,17 @@ Bit,1,12.25,3,0.5,
 
 #[test]
 fn sheets_are_read_as_people_have_them_and_the_right_way_up() {
-    let (expected, told) = sheet(FROM_SURFACE);
+    let (expected, reported) = sheet(FROM_SURFACE);
     assert!(
-        told.contains("note: bha.csv: its rows are from the surface down, by what they are called")
+        reported
+            .contains("note: bha.csv: its rows are from the surface down, by what they are called")
     );
     let mut lines: Vec<&str> = FROM_SURFACE.lines().collect();
     lines[1..].reverse();
     let from_bit = lines.join("\n") + "\n";
-    let (found, told) = sheet(&from_bit);
+    let (found, reported) = sheet(&from_bit);
     assert_eq!(found, expected);
-    assert!(told.contains("note: bha.csv: its rows are from the bit up, by what they are called (`order = \"from-bit\"`)"), "{told}");
+    assert!(reported.contains("note: bha.csv: its rows are from the bit up, by what they are called (`order = \"from-bit\"`)"), "{reported}");
     for text in [
         FROM_SURFACE.replace(
             "element,joints,od_in,id_in,length_m,weight_kg",
@@ -304,24 +305,24 @@ fn sheets_are_read_as_people_have_them_and_the_right_way_up() {
             _ => format!("{line}\n"),
         })
         .collect();
-    let (found, told) = sheet(&wordy);
+    let (found, reported) = sheet(&wordy);
     assert_eq!(found, expected);
     assert!(
-        told.contains("columns that say nothing here: `Remarks`"),
-        "{told}"
+        reported.contains("ignored columns: `Remarks`"),
+        "{reported}"
     );
-    let (found, told) = sheet(&format!("{FROM_SURFACE}Total,112,,,1047.5,\n"));
+    let (found, reported) = sheet(&format!("{FROM_SURFACE}Total,112,,,1047.5,\n"));
     assert_eq!(found, expected);
     assert!(
-        told.contains("note: bha.csv:6: a total, passed over"),
-        "{told}"
+        reported.contains("note: bha.csv:6: a total, ignored"),
+        "{reported}"
     );
     let (marked, _) = sheet(&FROM_SURFACE.replace("\nStabilizer,", "\n\"#2 Stabilizer\","));
     assert!(marked.contains("1 × 2.000 m, #2 Stabilizer"), "{marked}");
-    let (_, told) = sheet(&FROM_SURFACE.replace("\nStabilizer,1,8", "\n#Stabilizer,1,8"));
+    let (_, reported) = sheet(&FROM_SURFACE.replace("\nStabilizer,1,8", "\n#Stabilizer,1,8"));
     assert!(
-        told.contains("note: bha.csv:4: 1 line below the headings passed over as comments"),
-        "{told}"
+        reported.contains("note: bha.csv:4: 1 line below the headings ignored as comments"),
+        "{reported}"
     );
 }
 
@@ -342,7 +343,7 @@ fn sheets_that_may_mean_two_things_are_refused_or_doubted() {
     );
     refused(
         &FROM_SURFACE.replace("weight_kg", "Weight (stone)"),
-        "bha.csv:1: `Weight (stone)`: `stone` is none of the units known here: kg, lb",
+        "bha.csv:1: `Weight (stone)`: `stone` is not one of the known units: kg, lb",
     );
     refused(
         &FROM_SURFACE.replace("Drill Collar,10,8,3,95,", "Drill Collar,10,8,3,9.5,"),
@@ -352,17 +353,17 @@ fn sheets_that_may_mean_two_things_are_refused_or_doubted() {
         &FROM_SURFACE.replace("joints,od_in", "od_mm,od_in"),
         "bha.csv:1: the columns `od_mm` and `od_in` say the same",
     );
-    let (_, told) = sheet(&FROM_SURFACE.replace(",8,3,95,", ",127,3,95,"));
+    let (_, reported) = sheet(&FROM_SURFACE.replace(",8,3,95,", ",127,3,95,"));
     assert!(
-        told.contains("warning: bha.csv:3: Drill Collar: the part has"),
-        "{told}"
+        reported.contains("warning: bha.csv:3: Drill Collar: the part has"),
+        "{reported}"
     );
-    let (_, told) = sheet(&FROM_SURFACE.replace("\nStabilizer,", "\n\"Mud motor, 5:6\","));
+    let (_, reported) = sheet(&FROM_SURFACE.replace("\nStabilizer,", "\n\"Mud motor, 5:6\","));
     assert!(
-        told.contains(
+        reported.contains(
             "warning: bha.csv:4: Mud motor, 5:6: a mud motor is a tube of its dimensions here"
         ),
-        "{told}"
+        "{reported}"
     );
     let one = FROM_SURFACE
         .replace("length_m", "joint_length_m")
@@ -389,9 +390,9 @@ fn tables_without_effect_are_noted_and_doubtful_bits_warned_of() {
         answer.output
     );
     for words in [
-        "note: [mud] changes nothing here",
-        "note: `well.survey` changes nothing here",
-        "note: the hole of [well] changes nothing here",
+        "note: [mud] has no effect without",
+        "note: `well.survey` has no effect without",
+        "note: the hole of [well] has no effect without",
     ] {
         assert!(answer.errors.contains(words), "{words}: {}", answer.errors);
     }
@@ -400,8 +401,8 @@ fn tables_without_effect_are_noted_and_doubtful_bits_warned_of() {
         "{}",
         answer.errors
     );
-    let (_, told) = sheet(&FROM_SURFACE.replace("12.25", "8.5"));
-    assert!(told.contains("bha.csv:5: the bit is 8.500 in wide, and the rocks of this program are for one of 11.8 in"), "{told}");
+    let (_, reported) = sheet(&FROM_SURFACE.replace("12.25", "8.5"));
+    assert!(reported.contains("bha.csv:5: the bit is 8.500 in wide, and the rocks of this program are for one of 11.8 in"), "{reported}");
     let heavy = BY_SHEET.replace("values = [50, 100]", "values = [50, 2000]");
     let answer = inspected(&heavy, &[("bha.csv", FROM_SURFACE.as_bytes())]);
     assert!(

@@ -32,7 +32,7 @@ fn values_of(labels: &str) -> Vec<[f64; 2]> {
 }
 
 /// Each axis keeps its distribution at points of Sobol's sequence, and what goes together does so,
-/// nearer to it than at random points; they are raised as those are, whatever the threads.
+/// nearer to it than at random points; they are raised as those are, on any number of threads.
 #[test]
 fn sobol_points_have_the_same_distributions() {
     let count = 256;
@@ -40,7 +40,7 @@ fn sobol_points_have_the_same_distributions() {
     let place = Workplace::with_small(&text(count));
     let whole = labels(&place, &[]);
     let values = values_of(&whole);
-    // Of each, as many as should be are below what so many parts of it are below: the ends of the
+    // Of each, the expected fraction is below its quantiles: the ends of the
     // logarithm cut off 0.4 % below and 0.15 % above.
     let score = |it: &[f64; 2]| {
         [
@@ -92,7 +92,7 @@ fn random_points_may_be_asked_for() {
 }
 
 /// The values of a run are spread as the file says, those of two axes together; a run that is
-/// raised draws what one run draws, whatever the threads.
+/// raised draws what one run draws, on any number of threads.
 #[test]
 fn a_run_draws_what_its_file_says() {
     let count = 400;

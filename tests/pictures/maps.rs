@@ -1,5 +1,5 @@
 //! Regime maps as `sweep run` draws them: every label is on a map, no symbol hides
-//! another, and the limit is drawn or told.
+//! another, and the limit is drawn or noted.
 
 use crate::support::{Answer, SMALL, Workplace, small_with_design, with};
 use crate::tables::write_table;
@@ -155,7 +155,7 @@ fn a_scene_with_bit_and_wall_has_a_map_for_each_of_its_labels() {
     ] {
         assert!(words.contains(said), "{said}: {words}");
     }
-    // The limit of stick-slip is none of whirl.
+    // The limit of stick-slip is not drawn for whirl.
     assert_eq!(words.matches("Eq. 74").count(), 1, "{words}");
     let before = run.place.files();
     run.place.sweep(&["plot", "results"]);
@@ -196,7 +196,7 @@ fn two_labels_of_a_case_are_counted_in_two_lists() {
     let stick_slip = summary.matches("O stick-slip by all methods").count();
     let whirl = summary.matches("O sustained whirl by all methods").count();
     assert_eq!((stick_slip, whirl), (1, 1), "{summary}");
-    // Scripts go on reading all labels in one place.
+    // Scripts continue to read all labels in one place.
     let manifest: serde_json::Value = serde_json::from_str(&run.text("manifest.json")).unwrap();
     let labels = manifest["labels"]["quadrature"].as_object().unwrap();
     let counts = labels.values().map(|count| count.as_u64().unwrap());
@@ -264,7 +264,7 @@ fn many_values_of_a_third_axis_are_shown_as_parts_and_their_limits_as_a_range() 
     ] {
         assert!(words.contains(said), "{said}: {words}");
     }
-    // Every value of the boundary had a line of its own, a solid black band.
+    // Every value of the boundary once had its own line, a solid black band.
     let level = map.limits();
     assert!(run.numbers("boundary.csv", "friction").len() > 20);
     assert!(level.len() < 20, "{} lines", level.len());
@@ -348,7 +348,7 @@ fn a_map_of_whirl_alone_tells_how_far_above_the_least_friction_it_is() {
 }
 
 #[test]
-fn marks_of_a_base_outside_of_the_range_are_told_and_do_not_stretch_the_axes() {
+fn marks_of_a_base_outside_of_the_range_are_noted_and_do_not_stretch_the_axes() {
     let design = "[design]\nkind = \"grid\"\n[design.axes]\n\
         surface_speed_rpm = { values = [20, 40] }\n\
         weight_on_bit_kn = { values = [60, 70] }\n";

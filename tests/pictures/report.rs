@@ -225,7 +225,7 @@ fn files_that_are_not_of_one_run_are_refused() {
 }
 
 #[test]
-fn a_map_of_other_axes_than_the_cases_have_is_told_with_its_folder() {
+fn a_map_of_other_axes_than_the_cases_have_is_reported_with_its_folder() {
     let place = with_results();
     let manifest = text(&place, "results/manifest.json");
     let mut manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
@@ -233,6 +233,6 @@ fn a_map_of_other_axes_than_the_cases_have_is_told_with_its_folder() {
     place.write("results/manifest.json", manifest.to_string());
     let answer = place.sweep(&["summary", "results"]);
     assert_eq!(answer.code, 1, "{answer:?}");
-    let told = "error: results: the map of manifest.json has an axis";
-    assert!(answer.errors.starts_with(told), "{answer:?}");
+    let reported = "error: results: the map of manifest.json has an axis";
+    assert!(answer.errors.starts_with(reported), "{answer:?}");
 }

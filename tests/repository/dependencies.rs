@@ -1,5 +1,5 @@
-//! The Python package, a workspace of its own, is built from the versions of this one. What both
-//! may be built from at all is the business of `deny.toml`, which CI holds them to.
+//! The Python package, a separate workspace, is built from the versions of this one. `deny.toml`,
+//! which CI checks, says what both may be built from.
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! The guide and the README name files that are there, and tests that are.
+//! The guide and the other pages name files that are there, and tests that are.
 
 use std::path::{Path, PathBuf};
 
@@ -6,23 +6,50 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// Every page with its text.
-fn pages() -> Vec<(PathBuf, String)> {
+/// Pages that are not in the folder of the guide.
+const OTHER_PAGES: [&str; 5] = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "CONTRIBUTING.md",
+    "sweeps/README.md",
+    "crates/python/README.md",
+];
+
+/// The pages of the guide, without its two lists of pages.
+fn pages_of_guide() -> Vec<PathBuf> {
     let docs = std::fs::read_dir(root().join("docs")).unwrap();
     let mut pages: Vec<PathBuf> = docs.map(|entry| entry.unwrap().path()).collect();
     pages.retain(|path| path.extension().is_some_and(|ending| ending == "md"));
-    pages.push(root().join("README.md"));
-    assert!(pages.len() > 9);
+    pages.retain(|path| !LISTS.iter().any(|list| path.ends_with(list)));
+    assert!(pages.len() > 25, "{}", pages.len());
+    pages
+}
+
+/// The two lists of the guide's pages.
+const LISTS: [&str; 2] = ["SUMMARY.md", "README.md"];
+
+/// Every page with its text.
+fn pages() -> Vec<(PathBuf, String)> {
+    let lists = LISTS.map(|list| root().join("docs").join(list));
+    let others = OTHER_PAGES.map(|page| root().join(page));
+    let all = pages_of_guide().into_iter().chain(lists).chain(others);
     let read = |path: PathBuf| (path.clone(), std::fs::read_to_string(path).unwrap());
-    pages.into_iter().map(read).collect()
+    all.map(read).collect()
 }
 
 /// What stands between two pieces, wherever both are on one line.
 fn between<'a>(text: &'a str, start: &str, end: &str) -> Vec<&'a str> {
-    let after = text.lines().flat_map(|line| line.split(start).skip(1));
-    after
-        .filter_map(|rest| Some(rest.split_once(end)?.0))
-        .collect()
+    let mut found = Vec::new();
+    for mut line in text.lines() {
+        while let Some((_, after)) = line.split_once(start) {
+            let Some((inside, rest)) = after.split_once(end) else {
+                break;
+            };
+            found.push(inside);
+            line = rest;
+        }
+    }
+    found
 }
 
 #[test]
@@ -48,25 +75,27 @@ fn every_link_leads_somewhere() {
     }
 }
 
-/// The set of pages has no page that nothing leads to.
+/// The set of pages has no page that nothing leads to, and is read in one order.
 #[test]
-fn every_page_is_in_the_summary_and_in_the_index() {
-    let docs = root().join("docs");
-    let listed = |list: &str| std::fs::read_to_string(docs.join(list)).unwrap();
-    for (list, text) in [
-        ("SUMMARY.md", listed("SUMMARY.md")),
-        ("README.md", listed("README.md")),
-    ] {
-        let links = between(&text, "](", ")");
-        for (page, _) in pages() {
-            let name = page.file_name().unwrap().to_str().unwrap();
-            let is_list = ["README.md", "SUMMARY.md"].contains(&name);
-            assert!(
-                is_list || links.contains(&name),
-                "{name} is not in docs/{list}"
-            );
+fn every_page_is_in_the_summary_and_in_the_index_in_the_same_order() {
+    let pages = pages_of_guide();
+    let names: Vec<&str> = (pages.iter())
+        .map(|page| page.file_name().unwrap().to_str().unwrap())
+        .collect();
+    let [summary, index] = LISTS.map(|list| {
+        let text = std::fs::read_to_string(root().join("docs").join(list)).unwrap();
+        let links = between(&text, "](", ")").into_iter();
+        let listed: Vec<String> = links
+            .filter(|link| names.contains(link))
+            .map(str::to_owned)
+            .collect();
+        for name in &names {
+            let times = listed.iter().filter(|link| link == name).count();
+            assert_eq!(times, 1, "{name} in docs/{list}");
         }
-    }
+        listed
+    });
+    assert_eq!(summary, index);
 }
 
 /// How a heading is linked to.
@@ -91,7 +120,7 @@ fn every_file_that_is_named_is_there() {
     }
 }
 
-/// On the pages that argue, `a_sentence_in_quotes_like_this` is the name of a test.
+/// On the pages that argue, `a_sentence_in_quotes_like_this` is the name of a test, or else a key.
 #[test]
 fn every_test_that_is_named_is_there() {
     let mut sources = String::new();
@@ -102,10 +131,9 @@ fn every_test_that_is_named_is_there() {
         let text = std::fs::read_to_string(root().join(format!("docs/{page}.md"))).unwrap();
         let is_sentence = |name: &&str| name.matches('_').count() >= 4;
         for name in between(&text, "`", "`").into_iter().filter(is_sentence) {
-            assert!(
-                sources.contains(&format!("fn {name}()")),
-                "{name} in {page}"
-            );
+            let is_test = sources.contains(&format!("fn {name}("));
+            let is_key = sources.contains(&format!("pub {name}:"));
+            assert!(is_test || is_key, "{name} in {page}");
         }
     }
 }

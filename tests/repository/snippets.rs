@@ -1,5 +1,5 @@
 //! Every piece of a sweep file in the README and the guide, taken as a reader does who copies it:
-//! each is accepted, and gives the numbers that are printed beside it.
+//! each is accepted, and gives the numbers that are printed next to it.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -29,19 +29,7 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 16] = [
-    snippet(
-        "README.md",
-        "the drillstring of the paper's Table 2",
-        After::Nothing,
-    ),
-    snippet(
-        "README.md",
-        "accuracy =",
-        After::Base("fig09_without_methods.toml"),
-    ),
-    snippet("README.md", "Hertzian", After::Nothing),
-    snippet("README.md", "[40, 1800]", After::Base("academic.toml")),
+const SNIPPETS: [Snippet; 15] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
     snippet("docs/extending.md", "[dependencies]", After::Other),
@@ -49,6 +37,17 @@ const SNIPPETS: [Snippet; 16] = [
     snippet("docs/first-map.md", "[40, 1500]", After::New),
     snippet("docs/first-map.md", "methods", After::New),
     snippet("docs/limits.md", "trace", After::Nothing),
+    snippet(
+        "docs/sweep-file.md",
+        "the drillstring of the paper's Table 2",
+        After::Nothing,
+    ),
+    snippet(
+        "docs/sweep-file.md",
+        "accuracy =",
+        After::Base("fig09_without_methods.toml"),
+    ),
+    snippet("docs/sweep-file.md", "Hertzian", After::Nothing),
     snippet("docs/sweep-file.md", "triangular", After::Other),
     snippet("docs/unknowns.md", "monte-carlo", After::Nothing),
     snippet("docs/unknowns.md", "sensitivity", After::Nothing),
@@ -108,7 +107,7 @@ fn pieces(text: &str) -> Vec<String> {
     blocks.map(piece).collect()
 }
 
-/// A text with the tables and lines of a piece in place of its own of the same names.
+/// A text whose tables and lines are replaced by those of a piece with the same names.
 fn replaced(text: &str, piece: &str) -> String {
     let mut whole: toml::Table = text.parse().unwrap();
     let own: toml::Table = piece.parse().unwrap();

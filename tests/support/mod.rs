@@ -1,4 +1,4 @@
-//! Driving the binary from outside: a small sweep in a folder of its own.
+//! Driving the binary from outside: a small sweep in its own folder.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -58,7 +58,7 @@ impl Workplace {
         std::fs::write(self.path(name), content).unwrap();
     }
 
-    /// The binary, ready to start here, whatever the cluster says of threads and memory.
+    /// The binary, ready to start here, without the cluster's settings of threads and memory.
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(assert_cmd::cargo::cargo_bin!("sweep"));
         command

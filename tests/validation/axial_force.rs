@@ -45,7 +45,7 @@ fn written(place: &Workplace, text: &str) {
 }
 
 #[test]
-fn val_every_weight_has_its_own_string_and_one_that_buckles_is_told() {
+fn val_every_weight_has_its_own_string_and_one_that_buckles_is_reported() {
     let place = Workplace::new();
     written(&place, HANGING);
     let output = place.sweep(&["run", "hanging.toml", "--out", "out"]);
@@ -113,7 +113,7 @@ fn inspect_says_what_pulls_and_when_it_buckles() {
 }
 
 #[test]
-fn what_is_wrong_is_told_by_its_key() {
+fn what_is_wrong_is_reported_by_its_key() {
     let place = Workplace::new();
     let without_wall = &HANGING[..HANGING.find("[wall]").unwrap()];
     let design = &HANGING[HANGING.find("[design]").unwrap()..];
@@ -201,7 +201,7 @@ fn val_sections_of_hole_are_those_that_the_string_is_in() {
 }
 
 #[test]
-fn a_hole_that_cannot_be_is_told_by_its_key() {
+fn an_invalid_hole_is_reported_by_its_key() {
     let place = Workplace::new();
     let upper = "{ from_m = 0, to_m = 200, hole_radius_m = 0.2 }";
     for (sections, key, words) in [
@@ -218,7 +218,7 @@ fn a_hole_that_cannot_be_is_told_by_its_key() {
         (
             "{ from_m = 0, to_m = 400, hole_radius_m = 0.2 }]\nhole_radius_m = 0.2 #".to_owned(),
             "hole_radius_m",
-            "instead of `holes`, not beside it",
+            "conflicts with `holes`: give only one",
         ),
         (
             upper.to_owned(),

@@ -1,5 +1,5 @@
 //! The surface speed from which on an eccentric mass brings the string to its wall, through the
-//! binary: beside simulated cases, on maps, in reports and in what `inspect` tells.
+//! binary: compared with simulated cases, on maps, in reports and in the output of `inspect`.
 
 use std::collections::BTreeMap;
 
@@ -70,10 +70,11 @@ fn val_simulated_cases_touch_above_the_line_and_not_below() {
     assert!(report.contains("Forward whirl: in steady motion the eccentric mass brings"));
 }
 
-/// Friction plays no part, so that it is the same speed beside a limit of friction; where the
-/// clearance differs there is none; and where the mass is small it is told that nothing touches.
+/// Friction plays no part, so the speed is the same next to a limit of friction; where the
+/// clearance differs no speed is given; and where the mass is small the output says that nothing
+/// touches.
 #[test]
-fn val_it_is_told_whatever_the_friction_and_only_where_it_is_one() {
+fn val_it_is_given_for_any_friction_and_only_where_it_is_unique() {
     let friction = "friction = { values = [0.3, 1.5] }\n";
     let (place, points) =
         run(&(friction.to_owned() + "surface_speed_rpm = { values = [10, 70] }\n"));
@@ -85,14 +86,14 @@ fn val_it_is_told_whatever_the_friction_and_only_where_it_is_one() {
     let map = std::fs::read_to_string(place.path("results/map.svg")).unwrap();
     assert!(map.contains("eccentric mass brings") && map.contains("rolling whirl"));
     let answer = place.sweep(&["inspect", "small.toml", "--out", "look"]);
-    let told = answer
+    let reported = answer
         .output
         .split_whitespace()
         .collect::<Vec<_>>()
         .join(" ");
     assert!(
-        told.contains("brings the string to its wall from 22.59 rpm on"),
-        "{told}"
+        reported.contains("brings the string to its wall from 22.59 rpm on"),
+        "{reported}"
     );
     let summary = place.sweep(&["summary", "results"]);
     assert!(summary.output.contains("eccentric mass"), "{summary:?}");

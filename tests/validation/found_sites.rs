@@ -1,5 +1,5 @@
-//! Sites that are found: the same labels as with every candidate, what is told of them, and cases
-//! that they do not keep within their walls.
+//! Sites that are found: the same labels as with every candidate, what is reported of them, and
+//! cases that they do not keep within their walls.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use proptest::test_runner::TestRunner;
 
 use crate::support::{Workplace, with};
 
-/// The string of the paper, shortened, with two sites, after a knock that makes it whirl.
+/// The string of the paper, shortened, with two sites, after an impulse that makes it whirl.
 const WHIRLING: &str = r#"
 time_s = 3
 surface_speed_rpm = 60
@@ -100,7 +100,7 @@ fn val_sites_are_found_where_the_string_goes_through_the_wall_and_nowhere_else()
     assert!(!by_taps.contains_key("found_rounds"));
 }
 
-/// Whoever simulates it sees the case of the run, and a string that stays within its wall.
+/// `simulate` shows the case of the run, and a string that stays within its wall.
 #[test]
 fn val_what_is_simulated_is_the_case_with_its_sites() {
     let place = Workplace::new();
@@ -141,7 +141,7 @@ fn val_what_is_simulated_is_the_case_with_its_sites() {
 /// The run, its manifest and its report say how many sites were found, and in how many rounds; so
 /// do shards that are merged, which read it from their tables.
 #[test]
-fn what_was_found_is_told_of_the_whole_sweep() {
+fn what_was_found_is_reported_for_the_whole_sweep() {
     let place = Workplace::new();
     place.write("found.toml", WHIRLING);
     let manifest = |folder: &str| -> serde_json::Value {
@@ -154,14 +154,14 @@ fn what_was_found_is_told_of_the_whole_sweep() {
         let words: Vec<&str> = answer.output.split_whitespace().collect();
         words.join(" ")
     };
-    let told = done(&["run", "found.toml", "--out", "out"]);
+    let reported = done(&["run", "found.toml", "--out", "out"]);
     let whirls = &rows(&place, "out/labels.csv")[1];
     let (sites, rounds) = (sites(whirls).len(), &whirls["found_rounds"]);
     let expected = format!(
         "finite-element: sites were found in 1 of 2 cases, up to {sites} sites in up to {rounds} \
          rounds"
     );
-    assert!(told.contains(&expected), "{told}");
+    assert!(reported.contains(&expected), "{reported}");
     done(&["report", "out"]);
     let report = std::fs::read_to_string(place.path("out/report.html")).unwrap();
     assert!(report.contains(&expected));
@@ -190,12 +190,12 @@ fn a_case_that_does_not_end_is_kept_aside() {
     assert_eq!(found[1]["status"], "failed");
     assert!(!sites(&found[1]).is_empty());
     let reason = &rows(&place, "out/failures.csv")[0]["reason"];
-    for told in [
+    for reported in [
         "found in 1 round",
         "mm beyond the wall",
         "`sites_rounds` allows no more",
     ] {
-        assert!(reason.contains(told), "{reason}");
+        assert!(reason.contains(reported), "{reason}");
     }
     let labels = std::fs::read_to_string(place.path("out/labels.csv")).unwrap();
     place.write("found.toml", with(&text, "cases = 2", "cases = 3"));
@@ -249,7 +249,7 @@ fn scenes() -> impl Strategy<Value = String> {
             ),
         };
         let place = (place / every as f64).round() * every as f64;
-        // On a rigid wall Newmark's scheme needs more damping of its own.
+        // On a rigid wall Newmark's scheme needs more numerical damping.
         let (stiffness, gamma) = match stiffness {
             Some(power) => (format!("stiffness_gn_m15 = {}", 10_f64.powf(power)), 0.52),
             None => (String::new(), 0.7),

@@ -3,7 +3,7 @@
 
 use crate::support::{Workplace, with};
 
-/// Pipe with joints above collars, with a stabiliser near the bit, after a knock.
+/// Pipe with joints above collars, with a stabiliser near the bit, after an impulse.
 const IN_HOLE: &str = r#"
 time_s = 4
 sampling_frequency_hz = 200
@@ -100,7 +100,7 @@ fn val_labels_are_those_of_sites_and_clearances_by_hand() {
 
 /// What is written of a sweep is read again as the same.
 #[test]
-fn a_run_goes_on_from_what_is_written_of_it() {
+fn a_run_continues_from_what_is_written_of_it() {
     let place = Workplace::new();
     let found = labels(&place, IN_HOLE);
     let manifest = std::fs::read_to_string(place.path("out/manifest.json")).unwrap();
@@ -114,7 +114,7 @@ fn a_run_goes_on_from_what_is_written_of_it() {
 }
 
 #[test]
-fn clearances_are_told_by_site_and_of_many_sites_the_ends() {
+fn clearances_are_listed_by_site_and_of_many_sites_the_ends() {
     let place = Workplace::new();
     let inspect = |text: &str| {
         place.write("in_hole.toml", text);
@@ -124,13 +124,13 @@ fn clearances_are_told_by_site_and_of_many_sites_the_ends() {
         words.join(" ")
     };
     let few = inspect(IN_HOLE);
-    for told in [
+    for reported in [
         "clearance that the hole leaves",
         "2.950 311.1 12.250 308.0 12.125 1.59 0.0625 17.750",
         "42.525 315.3 12.415 168.3 6.625 73.53 2.8950 least 1.59 mm (0.0625 in), 2.950 m from",
         "greatest 73.53 mm (2.8950 in), 42.525 m from the bit",
     ] {
-        assert!(few.contains(told), "{told}\n{few}");
+        assert!(few.contains(reported), "{reported}\n{few}");
     }
     assert!(!inspect(&by_hand()).contains("clearance that"));
     let many = with(

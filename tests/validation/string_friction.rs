@@ -250,10 +250,10 @@ fn place_of(sweep: &str, more: &[&str]) -> String {
     std::fs::read_to_string(place.path("out/labels.csv")).unwrap()
 }
 
-/// A run that goes on with more cases writes what one run does, and one whose recording has
-/// changed does not go on.
+/// A run that continues with more cases writes what one run does, and one whose recording has
+/// changed does not continue.
 #[test]
-fn results_hang_on_what_the_files_say() {
+fn results_depend_on_what_the_files_say() {
     let sweep = SWEEP.replace(
         "kind = \"grid\"",
         "kind = \"monte-carlo\"\nseed = 3\ncases = 6",
@@ -312,8 +312,8 @@ fn val_a_tolerance_takes_as_many_pieces_as_it_needs() {
     );
 }
 
-/// The greatest torque along the string has columns of its own where it is asked for, and
-/// changes no other; runs that go on and parts that are merged have them to the byte.
+/// The greatest torque along the string has its own columns where it is asked for, and changes no
+/// other; runs that are continued and parts that are merged have them to the byte.
 #[test]
 fn the_greatest_torque_along_the_string_has_columns() {
     let asked = SWEEP.replace("pieces = 8", "pieces = 8\ntorque_along_string = true");
@@ -426,7 +426,7 @@ fn what_is_wrong_is_refused_with_its_place() {
         (
             with("pieces = 8", "pieces = 8\ntolerance = 0.01"),
             "",
-            "sweep.toml:21: `tolerance`: is given instead of `pieces`",
+            "sweep.toml:21: `tolerance`: conflicts with `pieces`: give only one",
         ),
         (
             with("pieces = 8", "tolerance = 0.5"),
@@ -508,5 +508,62 @@ fn what_is_wrong_is_refused_with_its_place() {
             output.errors
         );
         assert!(!here.path("out").exists());
+    }
+}
+
+/// Below a drive, with a wall in the collars, by three methods that share no scheme in time: the same
+/// regimes far from the limit. Where the string turns evenly, all torque that the bit adds arrives at
+/// the surface, for the friction of the string is the same at any weight on bit; and damping,
+/// friction and rock add up to what turns the surface.
+#[test]
+fn val_three_methods_agree_with_friction_a_drive_and_a_wall() {
+    let here = Workplace::new();
+    let base = shipped("well_b_drilling.toml").replace('\\', "/");
+    here.write(
+        "few.toml",
+        format!(
+            "base = \"{base}\"\ntime_s = 40\n\
+             string_friction = {{ pieces = 6 }}\n\
+             impulses = [{{ distance_from_bit_m = 20, ratio = 3, start_s = 20 }}]\n\
+             [design]\nkind = \"grid\"\n[design.axes]\n\
+             surface_speed_rpm = {{ from = 45, to = 150, count = 2 }}\n\
+             weight_on_bit_kn = {{ from = 60, to = 220, count = 2 }}\n"
+        ),
+    );
+    let output = here.sweep(&["run", "few.toml", "--out", "out", "--quiet"]);
+    assert_eq!(output.code, 0, "{}", output.errors);
+    let table = std::fs::read_to_string(here.path("out/labels.csv")).unwrap();
+    let rows = rows(&table);
+    assert_eq!(rows.len(), 12);
+    let of = |method: usize, speed: f64, weight: f64| {
+        let cases = rows.iter().filter(|row| {
+            number(row, "surface_speed_rpm") == speed && number(row, "weight_on_bit_kn") == weight
+        });
+        cases.collect::<Vec<_>>()[method]
+    };
+    for method in 0..3 {
+        for weight in [60.0, 220.0] {
+            for (speed, regime) in [(45.0, "stick_slip"), (150.0, "smooth")] {
+                let row = of(method, speed, weight);
+                let found = row.iter().find(|(name, _)| name == "torsion").unwrap();
+                assert_eq!(found.1, regime, "{method} {speed} {weight}");
+            }
+        }
+        let [light, heavy] = [60.0, 220.0].map(|weight| of(method, 150.0, weight));
+        let added = |column: &str| number(heavy, column) - number(light, column);
+        let (arrives, acts) = (added("surface_torque_mean_nm"), added("torque_dynamic_nm"));
+        assert!(
+            (arrives / acts - 1.0).abs() < 0.02,
+            "{method}: {arrives} {acts}"
+        );
+        // c_t L Ω, and 12.5 kN m of friction: 0.2160 of what presses (`sweep inspect`, 57.85 kN m).
+        let damping = 0.072_650_69 * 1733.0 * 150.0 * std::f64::consts::TAU / 60.0;
+        let friction = 0.512_453_8 * 0.421_553_2 * 57_850.0;
+        let expected = number(light, "torque_dynamic_nm") + friction + damping;
+        let found = number(light, "surface_torque_mean_nm");
+        assert!(
+            (found / expected - 1.0).abs() < 0.02,
+            "{method}: {found} {expected}"
+        );
     }
 }

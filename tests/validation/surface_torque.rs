@@ -69,10 +69,10 @@ fn val_a_bit_that_turns_evenly_takes_its_torque_and_the_string_its_damping() {
     assert!(turning > 1 && sticking > 1, "{turning} {sticking}");
 }
 
-/// What is measured besides changes no label and no other measure; and no number of threads,
+/// Measuring it changes no label and no other measure; and no number of threads,
 /// no shard and no interruption changes a byte.
 #[test]
-fn it_changes_nothing_else_and_does_not_hang_on_how_it_was_run() {
+fn it_changes_nothing_else_and_does_not_depend_on_how_it_was_run() {
     let table = labels(&measured(), &[]);
     let full = labels(SMALL, &["--full"]);
     for (line, without) in table.lines().zip(full.lines()) {

@@ -92,7 +92,7 @@ fn val_controllers_move_the_limit_of_stick_slip_as_their_reflection_says() {
 }
 
 #[test]
-fn inspect_tells_what_comes_back_and_how_modes_die_away() {
+fn inspect_shows_the_reflection_coefficient_and_how_modes_die_away() {
     let place = Workplace::new();
     let file = file("top_drive_soft_torque");
     let answer = place.sweep(&["inspect", &file, "--out", "looked"]);
@@ -145,7 +145,7 @@ fn val_creeping_is_not_taken_for_settled_stick_slip() {
     }
 }
 
-/// A surface that takes τ to come to its speed is behind by τ/2 for ever, and so is the first
+/// A surface that takes τ to reach its speed is behind by τ/2 for ever, and so is the first
 /// slip.
 #[test]
 fn val_a_rise_of_the_surface_speed_puts_the_first_slip_off_by_half_of_it() {

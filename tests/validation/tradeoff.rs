@@ -128,7 +128,7 @@ fn val_on_a_uniform_tube_fronts_are_sharp_by_held_alone() {
 }
 
 #[test]
-fn a_ladder_or_a_measure_that_cannot_be_is_refused() {
+fn an_invalid_ladder_or_measure_is_refused() {
     let place = Workplace::new();
     for (arguments, said) in [
         (["--ladder", "160,250"], "160 Hz is not between"),

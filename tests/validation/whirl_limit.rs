@@ -217,10 +217,10 @@ fn val_any_sites_need_no_more_than_one() {
     }
     for row in limit(&place) {
         let steps = rows.iter().rev();
-        let told = (steps.map(|step| (number(step, "surface_speed_rpm") * TAU / 60.0, step)))
+        let reported = (steps.map(|step| (number(step, "surface_speed_rpm") * TAU / 60.0, step)))
             .find(|(speed, _)| *speed <= row.speed * (1.0 + 1e-9));
-        let told = number(told.unwrap().1, "friction");
-        assert!(told <= 1.02 * row.friction, "{row:?} {told}");
+        let reported = number(reported.unwrap().1, "friction");
+        assert!(reported <= 1.02 * row.friction, "{row:?} {reported}");
     }
     let together = rows
         .iter()
@@ -239,7 +239,7 @@ fn val_any_sites_need_no_more_than_one() {
 }
 
 /// Whirl that slides exists with no less friction than any needs, and with less from speed to
-/// speed; none is told where friction falls with the speed of sliding.
+/// speed; no row is given where friction falls with the speed of sliding.
 #[test]
 fn val_sites_that_slide_together_whirl_with_no_less_than_any_need() {
     let place = run(SWEEP);
@@ -356,8 +356,8 @@ fn string() -> Drillstring {
 }
 
 /// The academic string touching the wall 50 m above the bit alone: rolling whirl needs
-/// friction of 1.156, but with 1.1 a knock ends in whirl at a slower rate that slides
-/// in part; and below the friction of any steady whirl there is none.
+/// friction of 1.156, but with 1.1 an impulse ends in whirl at a slower rate that slides in part;
+/// and below the friction of any steady whirl there is no whirl.
 #[test]
 fn val_whirl_that_slides_needs_less_friction_than_whirl_that_rolls() {
     let academic = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/fig10.toml");

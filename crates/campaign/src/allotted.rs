@@ -5,10 +5,10 @@ use std::fmt::Display;
 
 use thiserror::Error;
 
-/// A variable that says what it cannot mean.
+/// A variable with an impossible value.
 #[derive(Debug, Error)]
-#[error("{name}={text:?} is passed over: {reason}")]
-pub struct PassedOver {
+#[error("{name}={text:?} is ignored: {reason}")]
+pub struct IgnoredSetting {
     name: &'static str,
     text: String,
     reason: String,
@@ -17,11 +17,11 @@ pub struct PassedOver {
 /// What a variable means, where it says anything.
 ///
 /// # Errors
-/// Where it cannot be meant, with the reason.
+/// Where the value is impossible, with the reason.
 pub fn allotted<T, E: Display>(
     name: &'static str,
     meaning: impl FnOnce(&str) -> Result<T, E>,
-) -> Result<Option<T>, PassedOver> {
+) -> Result<Option<T>, IgnoredSetting> {
     let text = var_os(name).unwrap_or_default();
     let text = text.to_string_lossy();
     // An empty variable is how a shell script unsets one.
@@ -29,7 +29,7 @@ pub fn allotted<T, E: Display>(
         return Ok(None);
     }
     let meaning = meaning(text.trim()).map(Some);
-    meaning.map_err(|reason| PassedOver {
+    meaning.map_err(|reason| IgnoredSetting {
         name,
         reason: reason.to_string(),
         text: text.into_owned(),

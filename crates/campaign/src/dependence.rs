@@ -5,9 +5,7 @@ use anyhow::Result;
 use linear::{Method, parallel};
 use serde::{Deserialize, Serialize};
 
-use crate::engine::{
-    Case, MethodSystem, RunOptions, Shard, StringMemory, answer, has_case, setting_of,
-};
+use crate::engine::{Case, Recipe, RunOptions, Shard, StringMemory, answer, has_case, setting_of};
 
 use crate::records::{FINER, Record};
 
@@ -70,7 +68,7 @@ impl Change {
 pub struct Dependence {
     /// What is changed.
     pub change: Change,
-    /// Cases that have an answer both ways; none where it is not looked at, as that would take
+    /// Cases that have an answer both ways; zero where it is not examined, as that would take
     /// longer than the sweep.
     pub cases: usize,
     /// Those of them with another label.
@@ -160,8 +158,8 @@ pub fn together<'a>(parts: impl IntoIterator<Item = &'a [Dependence]>) -> Vec<De
     all
 }
 
-/// Memory, bytes, that this takes for cases of a setting up to the longest time (s), beside what a
-/// run keeps: an upper bound.
+/// Memory, bytes, that this takes for cases of a setting up to the longest time (s), in addition to
+/// what a run keeps: an upper bound.
 pub fn bytes(sweep: &Sweep, setting: &Setting, longest_time: f64) -> f64 {
     let of_variant = |variant: Variant| {
         let setting = variant.setting(setting);
@@ -253,7 +251,7 @@ fn variants(sweep: &Sweep) -> Vec<Variant> {
         .collect()
 }
 
-/// A case that is looked at.
+/// A case that is examined.
 #[derive(Debug, Clone, Copy)]
 struct Sampled {
     case: usize,
@@ -269,7 +267,7 @@ struct OfString<'a> {
     cases: &'a [Sampled],
 }
 
-/// Of each case, with an answer or without; none of a case of other parts, or that is none.
+/// Of each case, with an answer or without; `None` for a case of other shards, or an invalid one.
 type Records = Vec<Option<Record>>;
 
 impl<'a> OfString<'a> {
@@ -331,7 +329,9 @@ impl<'a> OfString<'a> {
         if !is_worth_building(self.sweep, setting, longest) {
             return Some(Vec::new());
         }
-        let system = MethodSystem::build_for(self.sweep, setting, method, longest).ok()?;
+        let system = Recipe::of(self.sweep, setting, method, longest)
+            .build()
+            .ok()?;
         if system.instability().is_some() {
             return None;
         }
@@ -400,16 +400,16 @@ mod tests {
         Sweep::read_from(Path::new("sweep.toml"), &[], &read).unwrap()
     }
 
-    /// Labels are looked at, and where that would take longer than the sweep it is said that
+    /// Labels are examined, and where that would take longer than the sweep the output says that
     /// they are not.
     #[test]
     fn what_takes_longer_than_a_sweep_is_left_out() {
-        let looked_at = |sweep: &Sweep| -> Vec<usize> {
+        let examined = |sweep: &Sweep| -> Vec<usize> {
             let found = dependences(sweep, Shard::WHOLE, RunOptions::default());
             found.iter().map(|dependence| dependence.cases).collect()
         };
-        assert_eq!(looked_at(&sweep(2, 8)), [8, 8, 8]);
-        assert_eq!(looked_at(&sweep(1000, 8)), [0, 0, 0]);
+        assert_eq!(examined(&sweep(2, 8)), [8, 8, 8]);
+        assert_eq!(examined(&sweep(1000, 8)), [0, 0, 0]);
     }
 
     #[test]

@@ -12,6 +12,10 @@
 //!                  labels    the rows of `labels.csv`
 //! ```
 //!
+//! [`Campaign`] is the way through all of it: opened from a sweep file, its method chosen where an
+//! accuracy is asked for, its linear systems built by a `Recipe`, single cases followed to the end
+//! of their time (`follow`), all of them run. The command line, Python and the page are thin over it.
+//!
 //! There is no equation here: the string is the business of `linear`, its motion that of
 //! `sim`. Nor is there a command, a results folder or a picture: those are the shells around
 //! this crate, `sweep` for the command line among them. `quantities` is the table of what a
@@ -24,9 +28,11 @@
 
 pub mod accuracy;
 pub mod allotted;
+mod campaign;
 pub mod dependence;
 pub mod design;
 pub mod engine;
+pub mod follow;
 pub mod labels;
 pub mod memory;
 pub mod plan;
@@ -42,3 +48,5 @@ pub mod text_file;
 pub mod threads;
 pub mod trace;
 pub mod words;
+
+pub use campaign::{Campaign, NoRun, NoteRecord, Run, SurveyError};

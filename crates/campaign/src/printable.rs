@@ -14,7 +14,7 @@ pub fn steers(letter: char) -> bool {
         )
 }
 
-/// Whether XML, and so a picture, has no place for a letter besides control characters.
+/// Whether XML, and so a picture, has no place for a letter other than control characters.
 pub fn is_noncharacter(letter: char) -> bool {
     matches!(letter, '\u{fffe}'..='\u{ffff}')
 }

@@ -1,5 +1,5 @@
-//! Random numbers that hang on a seed and a number alone: no order, thread or shard
-//! changes them.
+//! Counter-based random numbers: each depends only on (seed, index), not on order, threads or
+//! shards.
 
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
@@ -35,8 +35,8 @@ impl Stream {
 }
 
 /// The number at a place of the SplitMix64 sequence of a key (G. L. Steele, D. Lea and
-/// C. H. Flood, *OOPSLA* 2014, 453–472): random bits for little, where a stream of their own for
-/// each would cost too much.
+/// C. H. Flood, *OOPSLA* 2014, 453–472): random bits for little, where a separate stream for each
+/// would cost too much.
 pub fn mixed(key: u64, place: u64) -> u64 {
     let state = key.wrapping_add(place.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     let mixed = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -16,7 +16,7 @@ pub struct Rounds {
 }
 
 impl Rounds {
-    /// Nothing, of a trace by so many methods.
+    /// Nothing, of a trace by a number of methods.
     pub fn new(design: &TraceDesign, methods: usize) -> Self {
         Self {
             seed: design.seed,
@@ -48,7 +48,7 @@ impl Rounds {
     }
 }
 
-/// Nothing is known yet of a trace by so many methods.
+/// Nothing is known yet of a trace by a number of methods.
 pub fn nothing_known(lattice: Lattice, methods: usize) -> Known {
     Known::nothing(lattice, methods * Motion::ALL.len())
 }

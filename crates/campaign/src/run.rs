@@ -4,7 +4,9 @@
 use linear::Method;
 use thiserror::Error;
 
-use crate::engine::{Instability, MethodSystem, RunOptions, Survey, add_finer, compare_fronts};
+use crate::engine::{
+    Instability, MethodSystem, Recipe, RunOptions, Survey, add_finer, compare_fronts,
+};
 use crate::memory::{Estimate, Limit, Purpose, admit};
 use crate::plan::Sweep;
 
@@ -46,7 +48,8 @@ impl RunSystems {
         let setting = sweep.setting.for_labels();
         let memory = admit(sweep, &setting, survey, Purpose::Labels, limit);
         let memory = memory.map_err(RunError::Memory)?;
-        let methods = MethodSystem::build_all(sweep, &setting, survey.longest);
+        let methods = Recipe::build_each(sweep, &setting, survey.longest, &[]);
+        let methods: Result<_, _> = methods.into_iter().collect();
         Ok(Self {
             methods: methods.map_err(RunError::Systems)?,
             memory,

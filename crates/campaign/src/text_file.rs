@@ -1,6 +1,6 @@
-//! Text files that a user names, read whole: UTF-8, or refused with what they are
-//! instead. A pipe is refused, for one that nobody writes to would be waited for, and so
-//! is what is too large to be meant.
+//! Text files that a user names, read whole: UTF-8, or refused with what they are instead. A pipe
+//! is refused, since one without a writer would be waited for, and so is a file that is far too
+//! large.
 
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result};
@@ -20,10 +20,10 @@ pub type TextOf<'a> = &'a dyn Fn(&Path, u64) -> Result<String>;
 /// How a file that starts with it says that it is UTF-16.
 const UTF_16_MARKS: [[u8; 2]; 2] = [[0xff, 0xfe], [0xfe, 0xff]];
 
-/// Reads a file of at most so many bytes.
+/// Reads a file of at most a number of bytes.
 ///
 /// # Errors
-/// Where it cannot be read, is none, is larger, or is not UTF-8.
+/// Where it cannot be read, is no file, is larger, or is not UTF-8.
 pub fn read_text(path: &Path, most: u64) -> Result<String> {
     // Before it is opened: that alone waits for the other end of a pipe.
     let metadata = std::fs::metadata(path)?;

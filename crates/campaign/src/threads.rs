@@ -6,7 +6,7 @@ use std::thread::available_parallelism;
 
 use thiserror::Error;
 
-use crate::allotted::{PassedOver, allotted};
+use crate::allotted::{IgnoredSetting, allotted};
 
 /// More threads than this for each core only cost memory, and the machine its
 /// answer to anybody else.
@@ -16,29 +16,29 @@ const MOST_PER_CORE: usize = 8;
 /// first.
 const ALLOTTED: [&str; 2] = ["SLURM_CPUS_PER_TASK", "SLURM_CPUS_ON_NODE"];
 
-/// As many threads as the cluster allots, or as there are cores; with the variables of the
-/// cluster that are passed over, for they cannot mean a number of threads.
-pub fn allotted_threads() -> (usize, Vec<PassedOver>) {
+/// As many threads as the cluster allots, or as there are cores; with the variables of the cluster
+/// that are ignored, because they are not a number of threads.
+pub fn allotted_threads() -> (usize, Vec<IgnoredSetting>) {
     let cores = cores();
-    let mut passed_over = Vec::new();
+    let mut ignored = Vec::new();
     for name in ALLOTTED {
         let threads = allotted(name, |text| {
             let threads = text.parse().map_err(|_| ThreadsError::NoNumber)?;
             check(threads, cores)
         });
         match threads {
-            Ok(Some(threads)) => return (threads, passed_over),
+            Ok(Some(threads)) => return (threads, ignored),
             Ok(None) => {}
-            Err(doubt) => passed_over.push(doubt),
+            Err(doubt) => ignored.push(doubt),
         }
     }
-    (cores, passed_over)
+    (cores, ignored)
 }
 
 /// As many threads as asked for.
 ///
 /// # Errors
-/// Where they are none, or more than makes sense.
+/// Where their number is zero, or more than makes sense.
 pub fn asked_threads(threads: usize) -> Result<usize, ThreadsError> {
     check(threads, cores())
 }
@@ -56,7 +56,7 @@ fn check(threads: usize, cores: usize) -> Result<usize, ThreadsError> {
     }
 }
 
-/// Why no run uses so many threads.
+/// Why no run uses this number of threads.
 #[derive(Debug, Error)]
 pub enum ThreadsError {
     /// What stands there is no number.

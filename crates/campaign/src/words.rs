@@ -29,7 +29,7 @@ pub fn short(value: f64) -> String {
     }
 }
 
-/// A number with so many decimals, and no zero below zero.
+/// A number with a number of decimals, and no negative zero.
 pub fn decimals(value: f64, count: usize) -> String {
     let text = format!("{value:.count$}");
     match text.strip_prefix('-') {

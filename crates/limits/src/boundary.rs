@@ -97,12 +97,12 @@ pub enum BoundaryError {
 
 /// The limit over the range of the design's axes: of whirl where friction at every site is
 /// one of them, else of stick-slip; without points where neither applies, or where other axes
-/// give each case a limit of its own.
+/// give each case its own limit.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, BoundaryError> {
-    // Every string has limits of its own, and every law of the bit.
+    // Every string and every law of the bit has its own limits.
     let axes = sweep.design.axes();
     if sweep.design.varies_string() || axes.iter().any(|axis| axis.changes_bit()) {
         return Ok(Boundary::StickSlip(Vec::new()));
@@ -112,10 +112,10 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
         position(sweep, |axis| axis == Axis::FRICTION),
     ) {
         // So has every wall.
-        let points = if axes.iter().any(|axis| axis.changes_whirl_limit()) {
-            Vec::new()
-        } else {
-            whirl_points(sweep, lateral)?
+        let is_one = !axes.iter().any(|axis| axis.changes_whirl_limit());
+        let points = match speeds_of(sweep).filter(|_| is_one) {
+            Some(range) => whirl_points(sweep, lateral, range)?,
+            None => Vec::new(),
         };
         return Ok(Boundary::Whirl(points));
     }
@@ -247,18 +247,33 @@ pub fn exact_stick_slip_limit(sweep: &Sweep, weights: [f64; 2]) -> Result<Bounda
     Ok(Boundary::StickSlip(points))
 }
 
-/// The limit of whirl over all surface speeds of the design.
+/// The limit of whirl between two surface speeds (rpm), of the string and the walls as the sweep
+/// file has them, for any design; without points where it has no wall.
+///
+/// # Errors
+/// Where a site is not on the string.
+pub fn whirl_boundary(sweep: &Sweep, range: [f64; 2]) -> Result<Boundary, BoundaryError> {
+    let points = match &sweep.setting.lateral {
+        Some(lateral) => whirl_points(sweep, lateral, range)?,
+        None => Vec::new(),
+    };
+    Ok(Boundary::Whirl(points))
+}
+
+/// All surface speeds of the design, from the least to the greatest.
+fn speeds_of(sweep: &Sweep) -> Option<[f64; 2]> {
+    match position(sweep, |axis| axis == Axis::SurfaceSpeedRpm) {
+        Some(position) => Some(range_of_axis(sweep, position)),
+        None => sweep.conditions.surface_speed_rpm.map(|speed| [speed; 2]),
+    }
+}
+
+/// The limit of whirl between two surface speeds.
 fn whirl_points(
     sweep: &Sweep,
     lateral: &LateralSettings,
+    range: [f64; 2],
 ) -> Result<Vec<WhirlPoint>, DrillstringError> {
-    let range = match position(sweep, |axis| axis == Axis::SurfaceSpeedRpm) {
-        Some(position) => Some(range_of_axis(sweep, position)),
-        None => sweep.conditions.surface_speed_rpm.map(|speed| [speed; 2]),
-    };
-    let Some(range) = range else {
-        return Ok(Vec::new());
-    };
     let mut points = whirl_limit(&sweep.setting, lateral, range)?;
     if lateral.finding.is_some() {
         // Each case touches at others too.

@@ -1,5 +1,5 @@
-//! The limit of `boundary.csv` as curves over the two quantities it relates, whatever
-//! a map shows of them.
+//! The limit of `boundary.csv` as curves over the two quantities it relates, regardless of what a
+//! map shows of them.
 
 use crate::boundary::{Boundary, StickSlipPoint, TorsionLimit};
 use crate::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
@@ -19,7 +19,7 @@ const SMOOTH_ROTATION: &str = "smooth rotation is lost below";
 /// More branches than this hide the cases of a map.
 const MOST_BRANCHES: usize = 6;
 
-/// More sites than these are told by their ends.
+/// Longer lists of sites are written by their ends.
 const MOST_SITES: usize = 3;
 
 /// Frictions that differ by a smaller part of them are one line on a map.

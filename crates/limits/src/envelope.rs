@@ -68,11 +68,11 @@ impl Envelope {
         let place = place.clamp(first, last);
         let next = self.places.partition_point(|&other| other < place);
         // A place of a point ends one stretch and begins the next.
-        let beside = [
+        let touching = [
             next.checked_sub(1),
             (self.places[next] == place).then_some(next),
         ];
-        let values = beside.into_iter().flatten().filter_map(|stretch| {
+        let values = touching.into_iter().flatten().filter_map(|stretch| {
             let [start, end] = (*self.stretches.get(stretch)?)?;
             let [from, to] = [self.places[stretch], self.places[stretch + 1]];
             Some(start + (end - start) * (place - from) / (to - from))

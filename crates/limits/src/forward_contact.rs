@@ -50,8 +50,8 @@ pub struct ForwardTouch {
 }
 
 impl ForwardContact {
-    /// Of a sweep with one eccentric mass; none where other axes give each case a limit of its own,
-    /// sites are found, which may touch first, or the string is not damped enough to tell.
+    /// Of a sweep with one eccentric mass; `None` where other axes give each case its own limit,
+    /// where sites are found, which may touch first, or where damping is too light to decide.
     ///
     /// # Errors
     /// Where a site is not on the string.

@@ -15,7 +15,7 @@ mod whirl_limit;
 
 pub use boundary::{
     Boundary, BoundaryError, StickSlipPoint, TorsionLimit, boundary, boundary_csv,
-    exact_stick_slip_limit, read_boundary,
+    exact_stick_slip_limit, read_boundary, whirl_boundary,
 };
 pub use curves::Curve;
 pub use envelope::Envelope;

@@ -72,7 +72,7 @@ fn light_string() -> Drillstring {
 
 const LIGHT_METHODS: [&str; 3] = ["held", "quadrature", "finite-element"];
 
-/// Of such a string, on one thread of its own.
+/// Of such a string, on a separate thread.
 fn light(bencher: Bencher, name: &str, channel: ChannelRequest) {
     let string = light_string();
     let request = Request {

@@ -1,5 +1,5 @@
-//! A string of one's own: how stiff it is, and what its bit does after a step of
-//! torque, by two methods. `cargo run --release -p linear --example own_string`
+//! The user's own string: its stiffness, and the response of its bit to a step of torque, by two
+//! methods. `cargo run --release -p linear --example own_string`
 
 use linear::{
     ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube, estimates,

@@ -122,8 +122,8 @@ impl BendingModes {
         self.below(-self.nothing) > 0
     }
 
-    /// The natural frequency of this number, from 0 for the lowest, rad/s; motions as a rigid rod
-    /// and buckled ones come first, and theirs is 0. None where the elements have not so many.
+    /// The natural frequency of this number, from 0 for the lowest, rad/s; rigid-body and buckling
+    /// modes come first, and theirs is 0. `None` where the elements have fewer.
     pub fn frequency(&self, index: usize) -> Option<f64> {
         let mut high = self.nothing.max(f64::MIN_POSITIVE);
         if self.below(high) > index {

@@ -202,7 +202,7 @@ impl Need {
     }
 
     /// Both pieces of work at the same time.
-    pub fn beside(self, other: Self) -> Self {
+    pub fn and(self, other: Self) -> Self {
         Self {
             peak: self.peak + other.peak,
             kept: self.kept + other.kept,
@@ -223,6 +223,12 @@ impl Reserved<'_> {
     pub fn keep(mut self) {
         *locked(&self.budget.kept) += self.bytes;
         self.bytes = 0.0;
+    }
+
+    /// Both together, of one budget.
+    pub(crate) fn and(mut self, mut other: Self) -> Self {
+        self.bytes += std::mem::take(&mut other.bytes);
+        self
     }
 
     /// Gives back what is more than a number of bytes.

@@ -3,18 +3,18 @@
 //!
 //! Responses between all nodes grow with the square of their number, and each lasts as long as
 //! the string rings. What a single piece does lasts only as long as a wave takes through it:
-//! here are the taps of the waves that it sends back and on ([`Link`]), and whoever steps
-//! them hands on waves from piece to piece. By `quadrature`, and by `finite-element`, which
-//! replace the Laplace variable by a function of the shift in time, joining pieces and making
-//! taps may change places: the motion is that of the responses of the whole string, up to
-//! rounding and what decayed taps are cut off.
+//! here are the taps of the waves that it reflects and transmits ([`Link`]), and the stepper passes
+//! the waves from piece to piece. By `quadrature`, and by `finite-element`, which replace the
+//! Laplace variable by a function of the shift in time, joining pieces and making taps may change
+//! places: the motion is that of the responses of the whole string, up to rounding and what decayed
+//! taps are cut off.
 //!
 //! With the torque f that a port of a piece is met with, its speed v and the piece's reference
 //! impedance Z, the wave a = (f + Z v)/2 goes in and b = (Z v − f)/2 comes out. (A. Fettweis,
 //! "Wave digital filters: theory and practice", *Proceedings of the IEEE* 74, 1986, 270–327.)
 
 use crate::assembly::lanes::Lanes;
-use crate::assembly::nodes::{Link as _, Relation};
+use crate::assembly::nodes::{Relation, StiffnessBetween as _};
 use crate::assembly::number::Number;
 use crate::assembly::scattering::{Scattered, Uppermost, reflection, uppermost};
 use crate::assembly::torsion::{Drive, DynamicStiffness};
@@ -162,7 +162,7 @@ impl<'a> CascadePlan<'a> {
     /// Of a string that is cut at nodes.
     ///
     /// # Errors
-    /// Where the method is none by which pieces can be stepped one by one, these are not places of
+    /// Where pieces cannot be stepped one by one by this method, these are not places of
     /// the string, or responses would be too long.
     pub fn new(
         string: &'a Drillstring,

@@ -1,4 +1,4 @@
-//! Controllers of a top drive by what the string asks for, and what comes back from a drive.
+//! Controllers of a top drive tuned to the string, and the reflection coefficient of a drive.
 
 use num_complex::Complex64;
 
@@ -56,8 +56,8 @@ pub fn impedance_matched(string: &Drillstring) -> TopDrive {
     }
 }
 
-/// What comes back of a wave in the uppermost tube that meets a drive at an angular frequency
-/// (rad/s): the ratio of speeds (Z − Z_d)/(Z + Z_d), −1 from a surface that turns as prescribed.
+/// Reflection coefficient of a drive for waves in the uppermost tube at an angular frequency
+/// (rad/s): the ratio of speeds (Z − Z_d)/(Z + Z_d), −1 for a surface that turns as prescribed.
 pub fn reflection(string: &Drillstring, drive: &TopDrive, angular_frequency: f64) -> Complex64 {
     let impedance = impedance_at_surface(string);
     let of_drive = drive.impedance(Complex64::new(0.0, angular_frequency));

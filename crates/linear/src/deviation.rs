@@ -219,7 +219,7 @@ impl Times {
         }
     }
 
-    /// So many motions whose transforms are found together.
+    /// A number of motions whose transforms are found together.
     fn exact(
         &self,
         motions: usize,

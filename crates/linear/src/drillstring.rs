@@ -132,7 +132,7 @@ impl Drillstring {
     }
 
     /// The same string of a material that loses, joints included, the loss factor η of its energy
-    /// over 2π in each cycle, whatever the frequency (see [`crate::loss`]); none where that is 0.
+    /// over 2π in each cycle, at any frequency (see [`crate::loss`]); none where that is 0.
     ///
     /// # Errors
     /// Where it is below 0 or as large as 1.
@@ -246,7 +246,7 @@ impl Drillstring {
         own + std::f64::consts::PI * hole.mud.density * displaced
     }
 
-    /// The same of itself and the mud inside alone, which moves along whatever its viscosity.
+    /// The same of itself and the mud inside alone, which moves along at any viscosity.
     pub(crate) fn mass_with_bore(&self, tube: &Tube) -> f64 {
         let mud = self.hole.as_ref().map_or(0.0, |hole| hole.mud.density);
         let bore = std::f64::consts::PI * tube.inner_radius.powi(2);
@@ -385,10 +385,10 @@ impl Drillstring {
     /// of the string it is that of the end.
     pub fn parts_around(&self, distance_from_bit: f64) -> [(usize, usize); 2] {
         let same_place = self.same_place();
-        [-same_place, same_place].map(|beside| self.part_at(distance_from_bit + beside))
+        [-same_place, same_place].map(|offset| self.part_at(distance_from_bit + offset))
     }
 
-    /// The tube at a distance from the bit (m), which is none of its ends.
+    /// The tube at a distance from the bit (m), which is not one of its ends.
     fn part_at(&self, distance_from_bit: f64) -> (usize, usize) {
         let mut left = distance_from_bit.max(0.0);
         for (index, section) in self.sections.iter().enumerate().rev() {
@@ -466,7 +466,7 @@ pub struct Bending {
 }
 
 impl Bending {
-    /// With a tension (N) that acts besides.
+    /// With an additional tension (N).
     pub(crate) fn under(self, tension: f64) -> Self {
         Self {
             compression: self.compression - tension,

@@ -164,7 +164,7 @@ pub enum ResponseError {
         value: f64,
     },
     /// Some response is missing, without taps, or shorter than the others.
-    #[error("the responses are not equally many taps from every input to every site")]
+    #[error("the responses do not have one length from every input to every site")]
     Shape,
     /// They are of another string than the one they are held against.
     #[error("the responses are those of another string")]
@@ -179,14 +179,14 @@ pub enum ResponseError {
         channel: Channel,
     },
     /// The taps end before the time that they are said to last for.
-    #[error("{taps} taps end before the {longest_time} s that they are for")]
+    #[error("responses of {taps} steps end before the {longest_time} s that they are for")]
     TooShort {
         /// Number of taps.
         taps: usize,
         /// The time, s.
         longest_time: f64,
     },
-    /// A load acts at a site that there is not.
+    /// A load acts at a site that does not exist.
     #[error("the responses name site {site}, but the {sites} sites are counted from 0")]
     NoSuchSite {
         /// The site named, from 0.
@@ -195,7 +195,7 @@ pub enum ResponseError {
         sites: usize,
     },
     /// A tap is not a number.
-    #[error("a tap of the responses is not finite")]
+    #[error("a value of the responses is not finite")]
     NotFinite,
     /// A site does not give way to its own load: no contact law has an answer.
     #[error("site {site} answers its own load by {value} within the step, which is not positive")]
@@ -213,7 +213,7 @@ pub enum BuildError {
     /// The sites are not places of this string.
     #[error(transparent)]
     Sites(#[from] DrillstringError),
-    /// A torque is to act at a site that there is not.
+    /// A torque is to act at a site that does not exist.
     #[error("a torque is to act at site {site}, but the {sites} sites are counted from 0")]
     NoSuchSite {
         /// The site named, from 0.
@@ -256,7 +256,7 @@ pub enum BuildError {
     },
     /// The responses would need more memory than is reasonable.
     #[error(
-        "{taps} taps are more than the {most} that are kept: \
+        "responses of {taps} steps are longer than the {most} that are kept: \
          lower the sampling frequency or the time simulated"
     )]
     TooManyTaps {

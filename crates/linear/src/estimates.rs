@@ -198,8 +198,8 @@ pub fn torsional_inertia(string: &Drillstring) -> f64 {
     moments.sum::<f64>() * string.material().density
 }
 
-/// The least rate, 1/s, at which oscillations of the string in bending decay, whatever
-/// its modes and supports: the damping over twice the mass where the string is heaviest.
+/// The least rate, 1/s, at which oscillations of the string in bending decay, for any modes and
+/// supports: the damping over twice the mass where the string is heaviest.
 pub fn bending_decay_rate(string: &Drillstring, bending: &Bending) -> f64 {
     // Mud adds most in the narrowest hole that the tube may be in.
     let heaviest = (string.tubes()).fold(0.0, |mass: f64, (_, tube)| {
@@ -224,8 +224,8 @@ pub fn torsional_settling_time(string: &Drillstring) -> f64 {
     seeps + drive_settling_time(string)
 }
 
-/// Time constant, s, in which a top drive with the whole string below it comes to its set
-/// speed; nothing where the surface turns as prescribed.
+/// Time constant, s, in which a top drive with the whole string below it reaches its set speed;
+/// zero where the surface turns as prescribed.
 pub fn drive_settling_time(string: &Drillstring) -> f64 {
     let Some(drive) = string.top_drive() else {
         return 0.0;

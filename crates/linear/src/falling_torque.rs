@@ -16,8 +16,8 @@ use crate::estimates::torsional_travel_time;
 use crate::sites::Sites;
 use crate::waves::network::TorsionNetwork;
 
-/// Frequencies at which the response is looked at, per mode of a uniform string. Its phase turns
-/// evenly along frequency however sharp its resonances are.
+/// Frequencies at which the response is sampled, per mode of a uniform string. Its phase turns
+/// evenly along frequency, also at sharp resonances.
 const PER_MODE: f64 = 12.0;
 
 /// Halvings of the bracket of a frequency.

@@ -1,7 +1,6 @@
 //! Plans of Fourier transforms of real sequences.
-//!
-//! The algorithms behind them are generic: whoever plans compiles all of them. They are
-//! planned here alone, so that they are compiled once.
+//! The algorithms behind them are generic, and compiled in every crate that makes plans. Plans are
+//! made here alone, so that they are compiled once.
 //!
 //! The sines of a plan take nearly as long as a transform. A thread keeps its last plans, for
 //! strings that change from case to case ask for the same lengths again.
@@ -12,7 +11,7 @@ use std::sync::Arc;
 
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
-/// A thread keeps plans of so many samples in all, in each direction: some ten megabytes.
+/// The samples of all plans that a thread keeps, in each direction: some ten megabytes.
 const MOST_KEPT: usize = 1 << 19;
 
 /// The last plans of a thread in one direction, by their lengths, the latest first.
@@ -43,7 +42,7 @@ thread_local! {
     static INVERSE: RefCell<Kept<dyn ComplexToReal<f64>>> = const { Kept::none() };
 }
 
-/// The transform of so many real values; not scaled.
+/// The transform of a number of real values; not scaled.
 pub fn forward(length: usize) -> Arc<dyn RealToComplex<f64>> {
     let plan = || RealFftPlanner::new().plan_fft_forward(length);
     FORWARD.with_borrow_mut(|kept| kept.of(length, plan))

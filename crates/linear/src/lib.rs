@@ -23,7 +23,7 @@
 //!             passivity, estimates               what can be said before simulating
 //! ```
 //!
-//! This crate knows nothing of contacts. A string of one's own, in full:
+//! This crate knows nothing of contacts. The user's own string, in full:
 //! `examples/own_string.rs`.
 //!
 //! | paper | here |
@@ -47,7 +47,7 @@
 //! | Eqs. 72–75: estimates | [`estimates`] |
 //! | steady rotation, and steady winding of a held bit | [`steady`] |
 //! | steady rotation under a torque that falls with speed | [`falling_torque`] |
-//! | transforms, for whoever convolves with the taps | [`fft`] |
+//! | transforms, for convolution with the taps | [`fft`] |
 //! | memory, asked for before it is taken | [`budget`] |
 //! | how far responses are from the exact ones | [`deviation`] |
 //! | the string in pieces, for torques at many places | [`cascade`] |

@@ -25,7 +25,7 @@ impl Method {
     /// The part of a step that is still to go when its loads and its motion are taken: 0
     /// where they are sampled, step k at k/f_s; ½ where loads are held over the step and
     /// motion is the mean over it, step k from k/f_s to (k + 1)/f_s.
-    pub fn moment(&self) -> f64 {
+    pub fn collocation_offset(&self) -> f64 {
         match self {
             Method::Held => 0.5,
             _ => 0.0,
@@ -50,9 +50,9 @@ impl Method {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Transform {
-    /// Length of the discrete Fourier transform; its inverse is the frequency resolution. Half
-    /// of it becomes taps by `hilbert`, all of it by `direct-idft`. Left out, as long as the
-    /// response lasts.
+    /// Length of the discrete Fourier transform; its inverse is the frequency resolution. Half of
+    /// it becomes the impulse response by `hilbert`, all of it by `direct-idft`. Left out, as long
+    /// as the response lasts.
     #[cfg_attr(feature = "schema", schemars(range(min = 0.01, max = 1e5)))]
     #[serde(rename = "transform_s")]
     pub seconds: Option<f64>,

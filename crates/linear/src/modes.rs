@@ -33,7 +33,7 @@ impl TorsionalMode {
 /// Lumped inertias for each mode that is looked for.
 const LUMPS_PER_MODE: usize = 16;
 
-/// At least so many.
+/// The least number of lumps.
 const FEWEST_LUMPS: usize = 64;
 
 /// Steps of the secant rule after which a pole is not there.
@@ -47,9 +47,8 @@ const LAST_STEP: f64 = 1e-8;
 /// A mode swings where the imaginary part is at least this part of its pole.
 const SWINGS: f64 = 1e-6;
 
-/// The lowest modes that swing, from the slowest up, at most so many; modes so damped that
-/// they creep back without swinging are none of them, and one that all but creeps may be
-/// missed (of 1 in 300 random strings).
+/// The lowest modes that oscillate, from the slowest up, at most `most`; overdamped modes are left
+/// out, and one near critical damping may be missed (of 1 in 300 random strings).
 ///
 /// # Errors
 /// Where eigenvalues cannot be found.
@@ -71,8 +70,8 @@ pub fn torsional_modes(
 }
 
 /// The mode with damping of each natural frequency without it (rad/s, from the lowest up), of the
-/// string with its surface held, whatever its drive; none where damping is so strong that it does
-/// not swing, or leads to the pole of another.
+/// string with its surface held, with any drive; `None` where it is overdamped, or the search leads
+/// to the pole of another.
 ///
 /// # Errors
 /// Where the string cannot be cut up.
@@ -175,7 +174,7 @@ fn zero_near(function: &impl Fn(Complex64) -> Complex64, guess: Complex64) -> Op
     None
 }
 
-/// Poles that swing of a string of so many equally long pieces, each with half its inertia
+/// Oscillating poles of a string of equally long pieces, each with half its inertia
 /// at either end, from the lowest frequency up.
 fn lumped_poles(string: &Drillstring, count: usize) -> Result<Vec<Complex64>, BuildError> {
     let pieces = pieces(string, count);

@@ -4,15 +4,14 @@
 //! sticking bit). It is stable for every gain only if the response of the taps
 //! has a positive real part at every frequency, not only at those the taps
 //! were made from (Section 2.4, Fig. 3).
-//!
-//! Taps that end with the simulation, while the response goes on, are another
+//! Taps that end with the simulation, while the response continues, are another
 //! matter: the spectrum of what was cut off at once ripples about the true one and
 //! dips below zero even where that does not. In the lower half of the band, where the
 //! string itself may ring for ever, they are weighted by 1 − n/N, which averages the
 //! spectrum with Fejér's kernel over a band of 1/T. The kernel is nowhere negative, so
 //! that a passive response stays passive: what is left is the mean power that a
 //! sinusoidal force or torque puts in from rest in N steps. In the upper half they
-//! count as they are, rid of what goes on in the lower: no string rings there in a
+//! count as they are, without the continuing motion of the lower: no string rings there in a
 //! scheme that damps its highest frequencies, and in one that does not a stuck site
 //! chatters.
 
@@ -43,7 +42,7 @@ const TRANSFORM: f64 = 40.0;
 /// vibration at a twentieth of f_s is reduced 3 million times.
 const DIFFERENCES: u32 = 8;
 
-/// One in so many taps, the last, tell whether a response goes on.
+/// The last one in this number of taps shows whether a response continues.
 const END_PART: usize = 4;
 
 /// Where a response is furthest from being positive-real.
@@ -62,9 +61,9 @@ pub struct WorstPoint {
 pub enum Ending {
     /// With its last tap: it has decayed, or it is what is simulated with.
     Whole,
-    /// It goes on, ever more smoothly; the simulation does not.
+    /// It continues, ever more smoothly, beyond the simulation.
     Cut,
-    /// It goes on, with fronts as sharp as at the beginning; the simulation does not.
+    /// It continues, with fronts as sharp as at the beginning, beyond the simulation.
     Ringing,
 }
 
@@ -154,7 +153,7 @@ struct HermitianPart {
     entries: Vec<Vec<Complex64>>,
 }
 
-/// One in so many frequencies is looked at first, for a bound that spares most others.
+/// One in this number of frequencies is computed first, for a bound that spares most others.
 const STRIDE: usize = 64;
 
 impl HermitianPart {
@@ -336,7 +335,7 @@ mod tests {
 
     /// An integrator never decays: cut off at once it looks unstable, but is not.
     #[test]
-    fn a_passive_response_that_goes_on_is_passive_where_it_is_cut() {
+    fn a_passive_response_that_continues_is_passive_where_it_is_cut() {
         let integrator: Vec<f64> = (0..64).map(|n| if n == 0 { 0.5 } else { 1.0 }).collect();
         let margin = |ending| positive_real_margin(1, ending, |_, _| &integrator).unwrap();
         assert!(margin(Ending::Whole) < -1.0);
@@ -360,7 +359,7 @@ mod tests {
 
     /// The smallest of all eigenvalues, though very few are computed.
     #[test]
-    fn nothing_smaller_is_passed_over() {
+    fn nothing_smaller_is_missed() {
         for inputs in 2..=5 {
             let taps: Vec<Vec<f64>> = (0..inputs * inputs)
                 .map(|pair| {

@@ -1,6 +1,5 @@
 //! The raised cosine of unit area: the band-limited impulse of Section 5.2.2,
-//! and the window through which a step is looked at where a jump would be in no
-//! method's band.
+//! and the window through which a step is compared where a jump would be in no method's band.
 
 use std::f64::consts::TAU;
 

@@ -92,7 +92,7 @@ pub fn frequency(string: &Drillstring, steps_per_travel: f64) -> f64 {
 /// frequency (Hz) or above.
 pub fn steps_at(string: &Drillstring, frequency: f64) -> f64 {
     let steps = frequency * torsional_travel_time(string);
-    // A whole number is one, whatever rounding made of it.
+    // Rounding does not turn a whole number into the next.
     (steps - 1e-9).ceil().max(1.0)
 }
 

@@ -1,11 +1,9 @@
-//! The sites of a string (Table 2, Fig. 5): where something acts on it or it is looked
-//! at.
+//! The sites of a string (Table 2, Fig. 5): where something acts on it or its motion is observed.
 
 use crate::drillstring::Drillstring;
 use crate::error::DrillstringError;
 
-/// The places where something acts on the string or is looked at, from the
-/// surface down.
+/// The places where something acts on the string or its motion is observed, from the surface down.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sites {
     /// Distances from the bit, m, strictly decreasing.

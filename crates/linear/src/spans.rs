@@ -41,7 +41,7 @@ impl Drillstring {
             let whole = |Span { runs }| vec![Surrounded { around: last, runs }];
             return Ok(spans.map(whole).collect());
         }
-        // The last goes on to the end, whatever rounding leaves of it.
+        // The last extends to the end, also after rounding.
         stretches.push(Stretch {
             length: f64::INFINITY,
             around: last,
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn what_hangs_below_the_last_site_is_a_span_of_its_own() {
+    fn what_hangs_below_the_last_site_is_a_separate_span() {
         assert_lengths(&spans(&[25.0]), &[975.0, 25.0]);
     }
 

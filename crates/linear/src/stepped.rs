@@ -184,7 +184,7 @@ impl SteppedString {
     /// number, as long as a simulation; without any, those in torsion alone.
     ///
     /// # Errors
-    /// Where a site is none, or the responses would be too long.
+    /// Where a site does not exist, or the responses would be too long.
     pub fn responses(&self, loads: &[usize], longest_time: f64) -> Result<Responses, BuildError> {
         self.responses_within(loads, longest_time, &Budget::unlimited())
     }

@@ -30,7 +30,7 @@ pub struct HoleSection {
 /// What is around a piece of string that bends.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Surroundings {
-    /// Axial force besides the pre-compression, N; compression where negative.
+    /// Axial force in addition to the pre-compression, N; compression where negative.
     pub(crate) tension: f64,
     /// Radius of the hole of mud, if it is in one, m.
     pub(crate) hole_radius: Option<f64>,

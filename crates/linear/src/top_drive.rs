@@ -21,7 +21,7 @@ pub struct TopDrive {
 }
 
 impl TopDrive {
-    /// Checks that there is such a drive.
+    /// Checks that such a drive is possible.
     pub(crate) fn check(&self) -> Result<(), DrillstringError> {
         let numbers = [
             ("inertia", self.inertia),

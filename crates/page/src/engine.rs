@@ -1,10 +1,9 @@
 //! The sweep that is open, and its cases as they are asked for.
 
 use anyhow::{Context, Result, anyhow};
-use campaign::engine::{
-    Case, Choice, ChosenCase, FollowedMethod, LimitPoint, MethodSystem, RunOptions, answer,
-    common_setting, stick_slip_limit,
-};
+use campaign::Campaign;
+use campaign::engine::{LimitPoint, RunOptions, stick_slip_limit};
+use campaign::follow::{ChosenCases, Following, KeptSystems};
 use campaign::labels::{LabelTable, history_columns};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
@@ -13,8 +12,8 @@ use campaign::sweep_file::MethodName;
 use linear::estimates::largest_undershoot;
 use serde_json::{Map, Value, json};
 
+use crate::opening::opened;
 use crate::request::{CaseAsked, LimitAsked, Request};
-use crate::sweep_of::sweep_of;
 
 /// What is answered.
 #[derive(Debug, Default)]
@@ -26,7 +25,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// That there is none, and why.
+    /// An answer that gives only the reason of an error.
     pub fn error(reason: &str) -> Self {
         Self {
             words: json!({ "error": reason }).to_string(),
@@ -59,19 +58,8 @@ pub struct Engine {
 }
 
 struct Open {
-    sweep: Sweep,
-    built: Option<Built>,
-}
-
-/// The system of a string by a method.
-struct Built {
-    /// The sweep with that string.
-    sweep: Sweep,
-    /// The method's place in its list.
-    method: usize,
-    /// For how long it was built, s.
-    longest: f64,
-    system: FollowedMethod,
+    campaign: Campaign,
+    systems: KeptSystems,
 }
 
 impl Engine {
@@ -84,9 +72,12 @@ impl Engine {
     fn answer_or_say(&mut self, request: &[u8]) -> Result<Answer> {
         let request = serde_json::from_slice(request).context("this cannot be asked")?;
         if let Request::Open(opening) = request {
-            let sweep = sweep_of(*opening)?;
-            let answer = Answer::ok(description(&sweep));
-            self.open = Some(Open { sweep, built: None });
+            let campaign = opened(*opening)?;
+            let answer = Answer::ok(description(&campaign.sweep));
+            self.open = Some(Open {
+                campaign,
+                systems: KeptSystems::default(),
+            });
             return Ok(answer);
         }
         let open = self.open.as_mut().context("no sweep is open")?;
@@ -116,39 +107,38 @@ fn description(sweep: &Sweep) -> Value {
 
 impl Open {
     fn simulate(&mut self, asked: &CaseAsked) -> Result<Answer> {
-        let options = RunOptions {
-            full: asked.full,
-            // As where `sweep simulate` looks at a case.
-            allow_unstable: !self.sweep.design.varies_string(),
-        };
-        let (built, chosen) = self.built_for(asked)?;
-        let found = built.at_found_sites(&chosen, options)?;
-        let (built, case, row_found) = match &found {
-            Some((built, case, row)) => (built, case, Some(row)),
-            None => (built, &chosen.case, None),
-        };
-        let (row, simulation) =
-            (built.system).simulate(&built.sweep, case, built.method, options, true)?;
-        let row = row_found.unwrap_or(&row);
-        let simulation = simulation.ok_or_else(|| without_answer(&built.sweep, row))?;
-        let columns = history_columns(&built.sweep.setting.sites, &simulation.trajectory);
+        let chosen = self.chosen(asked)?;
+        let how = following(asked.full);
+        self.systems.accepts_longer = asked.quick;
+        let followed = chosen.follow(&how, &mut self.systems)?;
+        let (sweep, row) = (&followed.sweep, followed.rows.first());
+        let row = row.context("there is no case")?;
+        let simulation = followed.simulations.first();
+        let simulation = simulation.ok_or_else(|| without_answer(sweep, row))?;
+        let columns = history_columns(&sweep.setting.sites, &simulation.trajectory);
         let columns = columns
             .into_iter()
             .map(|column| (column.name, column.values));
         let mut words = Map::new();
-        words.insert("row".to_owned(), row_of(&built.sweep, row));
+        words.insert("row".to_owned(), row_of(sweep, row));
         Ok(Answer::with_columns(words, columns.collect()))
     }
 
     /// Eq. 74 along an axis, by the undershoot of the method that is asked for.
     fn limit(&mut self, asked: &LimitAsked) -> Result<Answer> {
-        let (built, chosen) = self.built_for(&asked.of)?;
-        let taps = built.system.system().driving_point();
+        let chosen = self.chosen(&asked.of)?;
+        let case = chosen.cases.first().context("there is no case")?;
+        self.systems.accepts_longer = asked.of.quick;
+        let how = following(asked.of.full);
+        let systems = self.systems.built_for(&chosen, case.longest, &how)?;
+        let system = systems.first().context("there is no method")?;
+        let system = system.as_ref().map_err(|reason| anyhow!("{reason}"))?;
+        let taps = system.system().driving_point();
         let (bit, taps) =
-            (built.sweep.bit.as_ref().zip(taps)).context("no torque acts on the bit")?;
+            (chosen.sweep.bit.as_ref().zip(taps)).context("no torque acts on the bit")?;
         let values = (asked.axis, asked.values.iter().copied());
         let limit = stick_slip_limit(
-            (bit, &chosen.case.conditions),
+            (bit, &case.case.conditions),
             values,
             largest_undershoot(taps),
         )?;
@@ -165,38 +155,16 @@ impl Open {
         ))
     }
 
-    /// The case that is asked for, and the system that it is stepped against, built unless that
-    /// of the last case will do.
-    fn built_for(&mut self, asked: &CaseAsked) -> Result<(&Built, ChosenCase)> {
+    /// The case that is asked for.
+    fn chosen(&self, asked: &CaseAsked) -> Result<ChosenCases> {
         let method = self.place_of(asked.method)?;
-        let set: Vec<(Axis, f64)> = asked
-            .set
-            .iter()
-            .map(|(&axis, &value)| (axis, value))
-            .collect();
-        let choice = Choice::new(&self.sweep, asked.case, &set)?;
-        let setting = common_setting(&self.sweep, std::slice::from_ref(&choice))??;
-        let last = self.built.take();
-        let is_same = (last.as_ref()).is_some_and(|built| built.is_of(method, &setting.changed));
-        let sweep = match &last {
-            Some(built) if is_same => &built.sweep,
-            _ => &Sweep {
-                setting,
-                ..self.sweep.clone()
-            },
-        };
-        let chosen = choice.case(sweep)?;
-        let lasts = |built: &Built| {
-            built.longest == chosen.longest || asked.quick && built.longest > chosen.longest
-        };
-        let built = match last {
-            Some(built) if is_same && lasts(&built) => built,
-            _ => {
-                let earlier = last.as_ref().map(|built| built.system.system());
-                Built::new(sweep.clone(), method, chosen.longest, earlier)?
-            }
-        };
-        Ok((self.built.insert(built), chosen))
+        let set = asked.set.iter().map(|(&axis, &value)| (axis, value));
+        let set: Vec<(Axis, f64)> = set.collect();
+        let chosen = self.campaign.cases(&[asked.case], &set, &[method])?;
+        chosen.map_err(|rows| match rows.first() {
+            Some(row) => without_answer(&self.campaign.sweep, row),
+            None => anyhow!("there is no case"),
+        })
     }
 
     /// The place of a method in the list of the open sweep.
@@ -204,64 +172,25 @@ impl Open {
         let Some(name) = method.map(MethodName::name) else {
             return Ok(0);
         };
-        let place = self.sweep.methods.iter().position(|own| own.name() == name);
+        let place = self
+            .campaign
+            .sweep
+            .methods
+            .iter()
+            .position(|own| own.name() == name);
         place.with_context(|| format!("the sweep was opened without the method {name}"))
     }
 }
 
-impl Built {
-    /// Builds a system; what its string has in common with an earlier one is not built again.
-    fn new(
-        sweep: Sweep,
-        method: usize,
-        longest: f64,
-        earlier: Option<&MethodSystem>,
-    ) -> Result<Self> {
-        let (setting, by) = (sweep.setting.for_labels(), sweep.methods[method]);
-        let system = MethodSystem::build_after(&sweep, &setting, by, longest, earlier)?;
-        Ok(Self {
-            system: FollowedMethod::new(&sweep, system, longest)?,
-            method,
-            longest,
-            sweep,
-        })
-    }
-
-    /// Whether it is of this method, and of the string with these changes.
-    fn is_of(&self, method: usize, changed: &[(Axis, f64)]) -> bool {
-        self.method == method && self.sweep.setting.changed == changed
-    }
-
-    /// Where sites are found, the system and the case with those of this case, and the row that
-    /// says how; else none.
-    fn at_found_sites(
-        &self,
-        chosen: &ChosenCase,
-        options: RunOptions,
-    ) -> Result<Option<(Self, Case, Record)>> {
-        let lateral = self.sweep.setting.lateral.as_ref();
-        if lateral.is_none_or(|lateral| lateral.finding.is_none()) {
-            return Ok(None);
-        }
-        let row = answer(
-            self.system.system(),
-            &chosen.case,
-            self.method,
-            options,
-            &self.sweep,
-        );
-        if row.outcome.is_err() {
-            return Err(without_answer(&self.sweep, &row));
-        }
-        let sites = row.found.as_ref().map_or(&[][..], |found| &found.sites);
-        let setting = self.sweep.setting_with_sites(&self.sweep.setting, sites)?;
-        let case = chosen.case.at_sites_of(&setting)?;
-        let sweep = Sweep {
-            setting,
-            ..self.sweep.clone()
-        };
-        let built = Self::new(sweep, self.method, chosen.longest, None)?;
-        Ok(Some((built, case, row)))
+/// As where `sweep simulate` looks at a case.
+fn following(full: bool) -> Following<'static> {
+    Following {
+        options: RunOptions {
+            full,
+            allow_unstable: false,
+        },
+        memory: None,
+        warn: &|_| (),
     }
 }
 

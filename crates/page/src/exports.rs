@@ -21,7 +21,7 @@ thread_local! {
 
 static HOOK: Once = Once::new();
 
-/// Where a request of so many bytes is to be written.
+/// Where a request of a number of bytes is to be written.
 #[unsafe(no_mangle)]
 pub extern "C" fn input(length: usize) -> *mut u8 {
     INPUT.with_borrow_mut(|input| {

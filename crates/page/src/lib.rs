@@ -10,7 +10,7 @@
 
 mod engine;
 mod exports;
+mod opening;
 mod request;
-mod sweep_of;
 
 pub use engine::{Answer, Engine};

@@ -23,7 +23,7 @@ pub enum Request {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Opening {
-    /// The sweep file's path: names it in messages, and files beside it are found by it.
+    /// The sweep file's path: names it in messages, and files in its folder are found by it.
     pub path: PathBuf,
     /// The sweep with its bases merged in, as `manifest.json` has it; without it, the sweep file
     /// is one of the texts.
@@ -31,7 +31,7 @@ pub struct Opening {
     /// Texts of files by their paths.
     #[serde(default)]
     pub texts: BTreeMap<PathBuf, String>,
-    /// Methods to have besides the sweep's own.
+    /// Methods in addition to the sweep's own.
     #[serde(default)]
     pub methods: Vec<MethodName>,
 }

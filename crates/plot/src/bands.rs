@@ -13,7 +13,7 @@ use super::picture::Picture;
 use super::scale::{Axis, Scale};
 use super::text::{Block, LABEL_SIZE};
 
-/// The most bars side by side that all have a pixel of their own.
+/// The most bars side by side that all have their own pixel.
 pub const COLUMNS: usize = 500;
 
 const WIDTH: f64 = 1000.0;

@@ -43,7 +43,7 @@ pub enum Safety {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Fraction(usize);
 
-/// The upper ends of the classes up to the third quarter; all of it is a class of its own.
+/// The upper ends of the classes up to the third quarter; the whole is a separate class.
 const ENDS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 
 impl Fraction {
@@ -98,8 +98,8 @@ pub(crate) fn draw_fill(canvas: &mut Canvas, fill: CellFill, area: Rect) {
     canvas.polygon(&area.corners(), colour)
 }
 
-/// Slanted strokes that continue from one cell to the next; across a cell that none of them meets,
-/// one of its own.
+/// Slanted strokes that continue from one cell to the next; a cell that none of them crosses gets
+/// its own.
 fn draw_strokes(canvas: &mut Canvas, area: Rect) {
     let stroke = Stroke::solid(NO_CASE, 0.8);
     // Places whose right and down add up to a whole number of steps.

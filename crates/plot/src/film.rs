@@ -172,7 +172,7 @@ fn frames(film: &Film, top: f64, (full, columns): (f64, usize)) -> Vec<Frame> {
                 &film.axes,
                 scales,
             ),
-            _ => Frame::beside(at(index, left, width - COLUMN_GAP), &film.axes[0], scales),
+            _ => Frame::next_to(at(index, left, width - COLUMN_GAP), &film.axes[0], scales),
         };
         frame.area.left = left;
         frame

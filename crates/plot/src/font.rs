@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn each_letter_of_the_plots_has_an_outline_of_its_own() {
+    fn each_letter_of_the_plots_has_its_own_outline() {
         let mut seen = vec![drawn('\u{10FFFD}')];
         for letter in "AωgéΩΔμ₀ₛ−×⁻".chars() {
             let path = drawn(letter);

@@ -41,7 +41,7 @@ impl Frame {
 
     /// The same to the right of one with the same vertical axis, which it shows without title and
     /// numbers.
-    pub fn beside(outer: Rect, x: &Axis, scales: [Scale; 2]) -> Frame {
+    pub fn next_to(outer: Rect, x: &Axis, scales: [Scale; 2]) -> Frame {
         let axes = [Axis::linear(x.label.as_str()), Axis::linear("")];
         Self::laid_out(outer, &axes, scales, |height| {
             let ticks = roomy_ticks(&scales[1], height, |_| SMALL_SIZE).into_iter();
@@ -154,9 +154,9 @@ impl Frame {
         let level = self.y_ticks.iter().map(|tick| {
             let y = self.along_y(tick.fraction);
             let outwards = [(left, y), (left - tick_length(tick), y)];
-            let beside = (left - MAJOR_TICK - GAP, y);
+            let number_at = (left - MAJOR_TICK - GAP, y);
             let across = [(left, y), (right, y)];
-            (tick, across, outwards, (beside, Align::Right))
+            (tick, across, outwards, (number_at, Align::Right))
         });
         let ticks: Vec<_> = upright.chain(level).collect();
         for (_, across, ..) in ticks.iter().filter(|(tick, ..)| tick.label.is_some()) {

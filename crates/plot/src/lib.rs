@@ -4,7 +4,7 @@
 //! with its text as text, PNG, and PDF with its text as paths. The font is embedded, in the SVG too: no font or library of
 //! the machine is used, and the same data always gives the same bytes.
 //!
-//! [`map_sheet`] draws symbols and cells over two parameters, [`panels()`] draws stacked
+//! [`map_chart`] draws symbols and cells over two parameters, [`panels()`] draws stacked
 //! curves. Each kind takes plain data, words of its legend among them, and returns a
 //! [`Picture`]; writing files is left to the caller.
 //!
@@ -66,8 +66,8 @@ pub use lettering::split_at_indices;
 pub use line_styles::{LineStyle, Series};
 pub use look::{Look, Paper};
 pub use map::{
-    Band, MapAxis, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_axes,
-    map_sheet,
+    Band, MapAxis, MapCell, MapChart, MapGroup, MapPanel, MapPoint, Mark, is_within, map_axes,
+    map_chart,
 };
 pub use multiples::{Multiple, multiples};
 pub use orbits::{Orbit, orbits};

@@ -54,7 +54,7 @@ impl Paper {
 pub struct Look {
     /// Its size; without it each kind of picture has its own, in pixels.
     pub paper: Option<Paper>,
-    /// Its title in the place of its own; empty for none.
+    /// A title that replaces its own; empty for no title.
     pub title: Option<String>,
     /// Ends of its horizontal and its vertical axis, in the units that it shows.
     pub ranges: [Option<[f64; 2]>; 2],

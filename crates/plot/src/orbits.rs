@@ -66,15 +66,15 @@ pub fn orbits(
     let has_last = orbits.iter().any(|orbit| !orbit.last.is_empty());
     let last = has_last.then_some((Key::Line(LAST), last_words));
     let legend = Legend::new(curves.chain(circle).chain(last));
-    let beside = MARGIN + orbits.len() as f64 * SIDE + LEGEND_GAP + legend.width() + MARGIN;
-    let title = Title::new(look, title, beside, MARGIN);
-    let columns = if title.width < beside {
+    let in_one_row = MARGIN + orbits.len() as f64 * SIDE + LEGEND_GAP + legend.width() + MARGIN;
+    let title = Title::new(look, title, in_one_row, MARGIN);
+    let columns = if title.width < in_one_row {
         (((title.width - 2.0 * MARGIN) / LEAST_SIDE) as usize).clamp(1, orbits.len().max(1))
     } else {
         orbits.len().max(1)
     };
     let top = title.bottom();
-    let (side, legend, place) = if title.width < beside {
+    let (side, legend, place) = if title.width < in_one_row {
         let side = ((title.width - 2.0 * MARGIN) / columns as f64).min(SIDE);
         let rows = orbits.len().div_ceil(columns) as f64;
         let legend = legend.in_rows(title.width - 2.0 * MARGIN);
@@ -85,8 +85,8 @@ pub fn orbits(
     };
     let rows = orbits.len().div_ceil(columns) as f64;
     let height = (top + rows * side).max(place.1 + legend.height()) + MARGIN;
-    let gap = 0.5 * (title.width.min(beside) - 2.0 * MARGIN - columns as f64 * side);
-    let left = if title.width < beside {
+    let gap = 0.5 * (title.width.min(in_one_row) - 2.0 * MARGIN - columns as f64 * side);
+    let left = if title.width < in_one_row {
         MARGIN + gap
     } else {
         MARGIN

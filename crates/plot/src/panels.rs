@@ -226,8 +226,8 @@ fn x_scale(look: &Look, panel: &Panel, all: &[Panel]) -> Scale {
     Scale::with_ends(ends, axis.logarithmic, values)
 }
 
-/// A logarithmic axis shows no less than this part of the greatest value: below it nothing reaches
-/// what is looked at, and on a hundred decades nothing can be seen.
+/// A logarithmic axis ends at this fraction of the greatest value: smaller values do not matter,
+/// and a hundred decades cannot be read.
 const LOWEST: f64 = 1e-6;
 
 fn y_scale(look: &Look, panel: &Panel, all: &[Panel]) -> Scale {

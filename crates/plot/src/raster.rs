@@ -14,22 +14,22 @@ pub(crate) fn rasterise(drawing: &Drawing, scale: f64) -> Option<Pixmap> {
     let [width, height] = drawing.size.map(|length| (scale * length).round() as u32);
     let mut pixels = Pixmap::new(width, height)?;
     pixels.fill(Color::WHITE);
-    let mut sheet = Sheet {
+    let mut raster = Raster {
         pixels,
         scale: Transform::from_scale(scale as f32, scale as f32),
     };
     for shape in &drawing.shapes {
-        sheet.draw(shape);
+        raster.draw(shape);
     }
-    Some(sheet.pixels)
+    Some(raster.pixels)
 }
 
-struct Sheet {
+struct Raster {
     pixels: Pixmap,
     scale: Transform,
 }
 
-impl Sheet {
+impl Raster {
     fn draw(&mut self, shape: &Shape) {
         match shape {
             Shape::Line { points, stroke } => self.stroke(polyline(points).finish(), *stroke),

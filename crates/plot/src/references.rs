@@ -67,8 +67,8 @@ pub(crate) fn draw_references(
                     .filter(|x| (left..=right).contains(x));
                 let Some(x) = seen else { continue };
                 let along = spread(top + height, bottom - height);
-                let beside = along.flat_map(|y| [(x + width, y), (x - width, y)]);
-                ([(x, top), (x, bottom)], beside.collect())
+                let near = along.flat_map(|y| [(x + width, y), (x - width, y)]);
+                ([(x, top), (x, bottom)], near.collect())
             }
             Across::Y => {
                 let seen = frame
@@ -76,8 +76,8 @@ pub(crate) fn draw_references(
                     .filter(|y| (top..=bottom).contains(y));
                 let Some(y) = seen else { continue };
                 let along = spread(right - width, left + width);
-                let beside = along.flat_map(|x| [(x, y - height), (x, y + height)]);
-                ([(left, y), (right, y)], beside.collect())
+                let near = along.flat_map(|x| [(x, y - height), (x, y + height)]);
+                ([(left, y), (right, y)], near.collect())
             }
         };
         canvas.line(&ends, REFERENCE);

@@ -17,7 +17,7 @@ pub fn pipe(length: f64) -> Tube {
     }
 }
 
-/// So many of them, with a distributed damping (N m s/rad per metre).
+/// A number of them, with a distributed damping (N m s/rad per metre).
 pub fn row(pipes: usize, torsional_damping: f64) -> Drillstring {
     let section = Section {
         repeat: pipes,

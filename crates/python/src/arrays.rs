@@ -49,7 +49,7 @@ pub fn planes<'py>(
 /// Any numbers in a sequence or an array, in their order.
 ///
 /// # Errors
-/// Where they are none.
+/// Where they are not numbers.
 pub fn numbers(values: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     values.try_iter()?.map(|value| value?.extract()).collect()
 }

@@ -82,7 +82,7 @@ pub struct TabulatedFriction {
 
 /// `drillstring.Wall`.
 #[derive(FromPyObject)]
-pub struct Wall {
+pub struct BuiltInWall {
     clearance: f64,
     stiffness: f64,
     friction: f64,
@@ -207,8 +207,8 @@ impl TabulatedFriction {
     }
 }
 
-impl From<Wall> for sim::Wall {
-    fn from(wall: Wall) -> Self {
+impl From<BuiltInWall> for sim::Wall {
+    fn from(wall: BuiltInWall) -> Self {
         sim::Wall {
             clearance: wall.clearance,
             stiffness: wall.stiffness,

@@ -11,7 +11,7 @@ create_exception!(
     drillstring,
     DrillstringError,
     PyException,
-    "Something that cannot be, or has no answer."
+    "Invalid input, or a case without an answer."
 );
 
 create_exception!(

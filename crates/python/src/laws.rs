@@ -58,7 +58,7 @@ impl<'py> Interruption<'py> {
         }
     }
 
-    /// Whether a motion goes on.
+    /// Whether nothing was raised, so that a motion continues.
     fn is_none(&self) -> bool {
         self.look();
         self.raised.borrow().is_none()
@@ -104,7 +104,7 @@ impl<'a, 'py> Bit<'a, 'py> {
     /// A `BitTorque`, a `TabulatedFriction` or a function.
     ///
     /// # Errors
-    /// Where it is none of them.
+    /// Where it is something else.
     pub fn of(law: Bound<'py, PyAny>, interruption: &'a Interruption<'py>) -> PyResult<Self> {
         let law = if law.is_callable() {
             BitLaw::Own(law)
@@ -196,13 +196,13 @@ impl TorqueLaw for Bit<'_, '_> {
 }
 
 impl<'a, 'py> Wall<'a, 'py> {
-    /// A `Wall`, or an object of one's own with a method `force`.
+    /// A `Wall`, or a user-defined object with a method `force`.
     ///
     /// # Errors
     /// Where it is neither.
     pub fn of(law: Bound<'py, PyAny>, interruption: &'a Interruption<'py>) -> PyResult<Self> {
         let Some(force) = law.getattr_opt("force")? else {
-            let law = ContactLaw::BuiltIn(law.extract::<convert::Wall>()?.into());
+            let law = ContactLaw::BuiltIn(law.extract::<convert::BuiltInWall>()?.into());
             return Ok(Self { law, interruption });
         };
         let length = |name: &str| {
@@ -307,7 +307,7 @@ fn under(force: [f64; 2], torque: f64, approach: &contact::Approach) -> Contact 
     }
 }
 
-/// What a step brings to a site, as a wall of one's own is told it.
+/// The approach of a site in a step, as a user-defined wall receives it.
 #[pyclass(frozen, get_all, module = "drillstring")]
 pub struct Approach {
     /// Position without contact, m.

@@ -8,12 +8,14 @@
 mod arrays;
 mod convert;
 mod errors;
+mod folders;
 mod laws;
 mod limits;
 mod motion;
 mod outcome;
 mod read;
 mod responses;
+
 mod run;
 mod simulate;
 mod string;
@@ -28,6 +30,8 @@ use pyo3::prelude::*;
 mod _drillstring {
     #[pymodule_export]
     use crate::errors::{DrillstringError, DrillstringWarning, SweepFileError};
+    #[pymodule_export]
+    use crate::folders::_analyse;
     #[pymodule_export]
     use crate::laws::Approach;
     #[pymodule_export]

@@ -6,13 +6,14 @@ use anyhow::Result;
 use campaign::memory::Limit;
 use campaign::plan::Sweep as Plan;
 use campaign::run::RunSystems;
-use limits::{boundary, boundary_csv};
+use limits::{boundary, boundary_csv, whirl_boundary};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::errors::refused;
 use crate::read::ReadSweep;
 use crate::run::not_begun;
-use crate::table::Column;
+use crate::table::{Column, by_name};
 use crate::wait::wait_for;
 
 /// The limits of a sweep, by column.
@@ -25,19 +26,43 @@ pub fn limits<'py>(
     memory: Limit,
 ) -> PyResult<Bound<'py, PyDict>> {
     let survey = sweep.look(py)?;
-    let plan = Arc::clone(&sweep.plan);
+    let campaign = Arc::clone(&sweep.campaign);
     let systems = {
-        let plan = Arc::clone(&plan);
-        wait_for(py, move || RunSystems::admitted(&plan, &survey, &memory))?
-            .map_err(|error| not_begun(py, sweep, error))?
+        let campaign = Arc::clone(&campaign);
+        wait_for(py, move || {
+            RunSystems::admitted(&campaign.sweep, &survey, &memory)
+        })?
+        .map_err(|error| not_begun(py, sweep, error))?
     };
-    let text = wait_for(py, move || text_of(&plan, &systems))?;
+    let text = wait_for(py, move || text_of(&campaign.sweep, &systems))?;
     let text = text.map_err(|error| sweep.about_file(format_args!("{error:#}")))?;
-    let by_name = PyDict::new(py);
-    for (name, column) in columns_of(&text) {
-        by_name.set_item(name, column.array(py)?)?;
+    by_name(py, columns_of(&text))
+}
+
+/// The limit of whirl between two surface speeds (rpm) of the string as the file has it, by the same
+/// columns.
+///
+/// # Errors
+/// Where the speeds are invalid.
+pub fn whirl_limits<'py>(
+    py: Python<'py>,
+    sweep: &ReadSweep,
+    speeds: [f64; 2],
+) -> PyResult<Bound<'py, PyDict>> {
+    let [least, most] = speeds;
+    if !(least > 0.0 && least <= most && most.is_finite()) {
+        return Err(refused(format_args!(
+            "{least} and {most} rpm are no least and greatest surface speed"
+        )));
     }
-    Ok(by_name)
+    let campaign = Arc::clone(&sweep.campaign);
+    let text = wait_for(py, move || {
+        whirl_boundary(&campaign.sweep, speeds).map(|limit| boundary_csv(&limit))
+    })?;
+    by_name(
+        py,
+        columns_of(&text.map_err(|error| sweep.about_file(error))?),
+    )
 }
 
 fn text_of(plan: &Plan, systems: &RunSystems) -> Result<String> {

@@ -7,12 +7,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use campaign::accuracy;
-use campaign::engine::{Survey, survey};
+use campaign::engine::Survey;
 use campaign::memory::Limit;
-use campaign::plan::Sweep as Plan;
-use campaign::sweep_file::{MethodName, SweepFileError};
+use campaign::sweep_file::MethodName;
 use campaign::text_file::read_text;
+use campaign::{Campaign, SurveyError};
 use pyo3::prelude::*;
 
 use crate::errors::{Lines, refused, warn};
@@ -34,20 +33,20 @@ pub type Texts = BTreeMap<PathBuf, String>;
 /// A sweep file that was read.
 pub struct ReadSweep {
     /// What it says.
-    pub plan: Arc<Plan>,
+    pub campaign: Arc<Campaign>,
     /// Whether its errors name lines.
     pub lines: Lines,
     /// Where it is, or would be.
     pub path: PathBuf,
-    /// The methods that take the place of its own.
+    /// The methods that replace its own.
     pub methods: Vec<String>,
     /// The texts of all files that were read for it.
     pub texts: Texts,
 }
 
 impl ReadSweep {
-    /// Reads a sweep file, with these methods in place of its own; of files whose texts are given
-    /// none is read.
+    /// Reads a sweep file, with these methods instead of the file's; files whose texts are given
+    /// are not read.
     ///
     /// # Errors
     /// Where it does not make sense.
@@ -70,24 +69,25 @@ impl ReadSweep {
                 texts.borrow_mut().insert(path.to_owned(), text.clone());
                 Ok(text)
             };
-            let plan = Plan::read_from(&path, &named, &text_of)?;
-            Ok((plan, texts.take()))
+            let campaign = Campaign::open(&path, &named, &text_of)?;
+            Ok((campaign, texts.take()))
         };
-        let (plan, texts) = py
+        let (campaign, texts) = py
             .detach(read)
             .map_err(|error| lines.file_error(py, &error))?;
         // Which is what takes time of reading a sweep.
-        let plan = match plan.content.accuracy {
-            None => plan,
+        let campaign = match campaign.sweep.content.accuracy {
+            None => campaign,
             Some(_) => {
-                wait_for(py, move || chosen(plan))?.map_err(|error| lines.file_error(py, &error))?
+                let choose = move || campaign.choose(false, &Limit::of(None), &|_| {});
+                wait_for(py, choose)?.map_err(|error| lines.file_error(py, &error))?
             }
         };
-        for doubt in plan.doubts() {
+        for doubt in campaign.sweep.doubts() {
             warn(py, doubt)?;
         }
         Ok(Self {
-            plan: Arc::new(plan),
+            campaign: Arc::new(campaign),
             lines,
             path,
             methods,
@@ -103,19 +103,15 @@ impl ReadSweep {
         let Some(name) = method else {
             return Ok(0);
         };
-        let names: Vec<&str> = self
-            .plan
-            .methods
-            .iter()
-            .map(|method| method.name())
-            .collect();
+        let methods = self.campaign.sweep.methods.iter();
+        let names: Vec<&str> = methods.map(|method| method.name()).collect();
         names
             .iter()
             .position(|known| *known == name)
             .ok_or_else(|| {
                 let known = names.join(", ");
                 refused(format_args!(
-                    "`{name}` is none of the sweep's methods: {known}"
+                    "`{name}` is not one of the sweep's methods: {known}"
                 ))
             })
     }
@@ -125,28 +121,17 @@ impl ReadSweep {
     /// # Errors
     /// Where a case is refused, or an impulse of it is not felt.
     pub fn look(&self, py: Python<'_>) -> PyResult<Survey> {
-        let plan = Arc::clone(&self.plan);
-        let seen = wait_for(py, move || survey(&plan))?;
-        let seen = seen.map_err(|error| self.about_file(error))?;
-        if let Some((case, end)) = seen.first_end {
-            let felt = self.plan.impulses_are_felt(case, end);
-            felt.map_err(|error| self.lines.file_error(py, &error))?;
-        }
-        Ok(seen)
+        let campaign = Arc::clone(&self.campaign);
+        let seen = wait_for(py, move || campaign.survey())?;
+        seen.map_err(|error| match error {
+            SurveyError::Case(reason) => self.about_file(reason),
+            SurveyError::File(error) => self.lines.file_error(py, &error),
+        })
     }
 
     /// An error that does not say which file it is about.
     pub fn about_file(&self, error: impl Display) -> PyErr {
         refused(format_args!("{}: {error}", self.path.display()))
-    }
-}
-
-/// The sweep with the method and sampling frequency that are chosen for its accuracy.
-fn chosen(plan: Plan) -> Result<Plan, SweepFileError> {
-    let choice = accuracy::choose(&plan, false, &Limit::of(None), &|_| {})?;
-    match choice {
-        Some((method, choice)) => plan.with_choice(method, choice),
-        None => Ok(plan),
     }
 }
 

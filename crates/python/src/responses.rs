@@ -1,4 +1,4 @@
-//! `Responses`: impulse responses as arrays, and motion by a law of one's own.
+//! `Responses`: impulse responses as arrays, and motion by a user-defined law.
 
 use linear::ChannelResponses;
 use numpy::{PyArray1, PyArrayDyn};
@@ -112,7 +112,7 @@ impl Responses {
         self.bending_margin
     }
 
-    /// The motion from rest of a surface that comes to a speed (rad/s) in a rise (s), under laws
+    /// The motion from rest of a surface that reaches a speed (rad/s) in a rise (s), under laws
     /// of the bit and of the walls.
     #[pyo3(signature = (
         surface_speed, duration, *, bit = None, walls = None, impulses = Vec::new(),

@@ -6,27 +6,26 @@ use std::sync::{Mutex, PoisonError};
 
 use anyhow::{Result, bail};
 use campaign::design::Design;
-use campaign::engine::{RunOptions, Shard, Survey, Work, pairs_of};
+use campaign::engine::{RunOptions, Shard, Survey, pairs_of};
 use campaign::labels::LabelTable;
 use campaign::memory::{Limit, Size};
-use campaign::plan::Sweep as Plan;
 use campaign::records::Record;
-use campaign::rounds::Rounds;
 use campaign::run::{RunError, RunSystems};
 use campaign::threads::{allotted_threads, asked_threads};
+use campaign::{Campaign, NoRun, Run};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::ThreadPool;
 
 use crate::errors::{refused, warn};
 use crate::read::ReadSweep;
-use crate::table::{Column, columns};
+use crate::table::{Column, by_name, columns};
 use crate::wait::{wait_for, watch};
 
-/// What a row takes beside its values, bytes: its record, and its fields in the table.
+/// What a row takes in addition to its values, bytes: its record, and its fields in the table.
 const ROW: usize = size_of::<Record>() + 32 * size_of::<f64>();
 
-/// How far a run is, for whoever looks at it.
+/// How far a run is, for display.
 #[derive(Default)]
 struct Progress {
     done: AtomicUsize,
@@ -37,7 +36,7 @@ struct Progress {
 }
 
 impl Progress {
-    fn told(&self) -> (usize, usize) {
+    fn counts(&self) -> (usize, usize) {
         let [done, wanted] = [&self.done, &self.wanted].map(|it| it.load(Ordering::Relaxed));
         (done, wanted)
     }
@@ -45,7 +44,7 @@ impl Progress {
 
 /// A run under way.
 struct Running {
-    plan: Arc<Plan>,
+    campaign: Arc<Campaign>,
     systems: RunSystems,
     options: RunOptions,
     progress: Arc<Progress>,
@@ -64,18 +63,15 @@ pub fn run<'py>(
     limit: Limit,
 ) -> PyResult<Bound<'py, PyDict>> {
     let pool = Arc::new(pool_of(py, threads)?);
-    let plan = Plan::clone(&sweep.plan).for_run();
-    let plan = Arc::new(plan.map_err(|error| sweep.lines.file_error(py, &error))?);
-    if plan.certifying.is_some() && options.allow_unstable {
-        return Err(refused(
-            "--allow-unstable: methods that chatter certify nothing; leave it out, or \
-             `certify` in the sweep file",
-        ));
-    }
+    let campaign = Campaign::clone(&sweep.campaign).for_run(options);
+    let campaign = Arc::new(campaign.map_err(|error| match error {
+        NoRun::File(error) => sweep.lines.file_error(py, &error),
+        NoRun::CertifiesNothing => refused(error),
+    })?);
     let survey = sweep.look(py)?;
     let systems = {
-        let (plan, pool) = (Arc::clone(&plan), Arc::clone(&pool));
-        let build = move || pool.install(|| build(&plan, &survey, options, &limit));
+        let (campaign, pool) = (Arc::clone(&campaign), Arc::clone(&pool));
+        let build = move || pool.install(|| build(&campaign, &survey, options, &limit));
         wait_for(py, build)?.map_err(|error| not_begun(py, sweep, error))?
     };
     for instability in systems
@@ -90,37 +86,34 @@ pub fn run<'py>(
         .iter()
         .filter_map(|system| system.wrong_front())
     {
-        warn(py, front.words(plan.content.units))?;
+        warn(py, front.words(campaign.sweep.content.units))?;
     }
     let shared = Arc::new(Progress::default());
     let running = Running {
-        plan: Arc::clone(&plan),
+        campaign,
         systems,
         options,
         progress: Arc::clone(&shared),
     };
     let look = || match &progress {
-        Some(progress) => progress.call1(shared.told()).map(drop),
+        Some(progress) => progress.call1(shared.counts()).map(drop),
         None => Ok(()),
     };
     let made = watch(py, move || pool.install(|| running.table()), &look);
-    // Whoever asked for it does not wait any more.
+    // The caller does not wait any more.
     shared.stops.store(true, Ordering::Relaxed);
     let table = made?.map_err(|error| sweep.lines.any_error(py, &error))?;
-    let by_name = PyDict::new(py);
-    for (name, column) in table {
-        by_name.set_item(name, column.array(py)?)?;
-    }
-    Ok(by_name)
+    by_name(py, table)
 }
 
 /// What a run builds before its first case, where that and its table are within the limit.
 fn build(
-    plan: &Plan,
+    campaign: &Campaign,
     survey: &Survey,
     options: RunOptions,
     limit: &Limit,
 ) -> Result<RunSystems, RunError> {
+    let plan = &campaign.sweep;
     let rows = plan.design.likely_cases() * plan.methods.len();
     let table = (rows * (ROW + plan.design.axes().len() * 2 * size_of::<f64>())) as f64;
     if table > limit.bytes {
@@ -133,55 +126,29 @@ fn build(
     }
     let mut left = *limit;
     left.bytes -= table;
-    RunSystems::build(plan, survey, options, &left)
+    campaign.build(survey, options, &left)
 }
 
 impl Running {
     /// The columns of all rows, in the order of cases and methods.
     fn table(&self) -> Result<Vec<(String, Column)>> {
-        let mut records = match &self.plan.design {
-            Design::Trace(design) => {
-                let rounds = Rounds::new(design, self.plan.methods.len());
-                self.traced(&rounds)?
-            }
-            _ => {
-                let all = pairs_of(&self.plan, Shard::WHOLE);
-                self.progress.wanted.store(all, Ordering::Relaxed);
-                self.run(&|_| true)?
-            }
+        let (sweep, progress) = (&self.campaign.sweep, &self.progress);
+        let expect = |more| {
+            progress.wanted.fetch_add(more, Ordering::Relaxed);
         };
-        records.sort_unstable_by_key(|record| (record.case, record.method));
-        Ok(columns(&LabelTable::of(&self.plan), &records))
-    }
-
-    /// The records of all cases that a trace wants, round by round.
-    fn traced(&self, rounds: &Rounds) -> Result<Vec<Record>> {
-        let mut all = Vec::new();
-        let mut is_done = vec![false; self.plan.design.cases()];
-        while let Some(mut wanted) = rounds.wanted() {
-            wanted.retain(|case| !std::mem::replace(&mut is_done[*case], true));
-            let more = wanted.len() * self.plan.methods.len();
-            self.progress.wanted.fetch_add(more, Ordering::Relaxed);
-            let records = self.run(&|case| wanted.binary_search(&case).is_ok())?;
-            records.iter().for_each(|record| rounds.note(record));
-            all.extend(records);
+        if !matches!(sweep.design, Design::Trace(_)) {
+            expect(pairs_of(sweep, Shard::WHOLE));
         }
-        Ok(all)
-    }
-
-    /// The records of some cases, in the order in which they were done.
-    fn run(&self, is_wanted: &(dyn Fn(usize) -> bool + Sync)) -> Result<Vec<Record>> {
-        let kept = Mutex::new(Vec::new());
-        let progress = &self.progress;
-        let work = Work {
-            sweep: &self.plan,
+        let run = Run {
             shard: Shard::WHOLE,
             options: self.options,
-            strings_at_once: self.systems.memory.strings_at_once,
-            is_open: &|case, _| is_wanted(case),
+            is_done: &|_, _| false,
+            earlier: &|_| Ok(()),
+            expect: &expect,
             stops: &|| progress.stops.load(Ordering::Relaxed),
         };
-        work.run(&self.systems.methods, &|record| {
+        let kept = Mutex::new(Vec::new());
+        self.campaign.run(&self.systems, &run, &|record| {
             // Pushed in one step.
             kept.lock()
                 .unwrap_or_else(PoisonError::into_inner)
@@ -192,7 +159,9 @@ impl Running {
         if progress.stops.load(Ordering::Relaxed) {
             bail!("stopped");
         }
-        Ok(kept.into_inner().unwrap_or_else(PoisonError::into_inner))
+        let mut records: Vec<Record> = kept.into_inner().unwrap_or_else(PoisonError::into_inner);
+        records.sort_unstable_by_key(|record| (record.case, record.method));
+        Ok(columns(&LabelTable::of(sweep), &records))
     }
 }
 
@@ -202,7 +171,7 @@ pub fn not_begun(py: Python<'_>, sweep: &ReadSweep, error: RunError) -> PyErr {
         RunError::Memory(error) | RunError::Systems(error) => sweep.lines.any_error(py, &error),
         RunError::Unstable(error) => {
             let key = format!("methods[{}]", error.place);
-            let error = sweep.plan.source.error(&key, error.to_string());
+            let error = sweep.campaign.sweep.source.error(&key, error.to_string());
             sweep.lines.file_error(py, &error)
         }
     }
@@ -214,8 +183,8 @@ fn pool_of(py: Python<'_>, threads: Option<usize>) -> PyResult<ThreadPool> {
         Some(threads) => asked_threads(threads)
             .map_err(|reason| refused(format_args!("threads {threads}: {reason}")))?,
         None => {
-            let (count, passed_over) = allotted_threads();
-            for doubt in passed_over {
+            let (count, ignored) = allotted_threads();
+            for doubt in ignored {
                 warn(py, doubt)?;
             }
             count

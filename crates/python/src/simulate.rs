@@ -1,17 +1,16 @@
 //! `Sweep.simulate`: a case in full, as `sweep simulate` has it.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use campaign::engine::{
-    Choice, ChoiceError, ChosenCase, FollowedMethod, MethodSystem, RunOptions, Survey, answer,
-    common_setting,
-};
-
+use campaign::Campaign;
+use campaign::engine::{ChoiceError, RunOptions};
+use campaign::follow::{FollowError, Followed, Following, KeptSystems};
 use campaign::labels::LabelTable;
-use campaign::memory::{Limit, Purpose, admit};
-use campaign::plan::Sweep as Plan;
-use campaign::records::{Failure, Record};
+use campaign::memory::Limit;
+use campaign::quantities::Axis;
+use campaign::records::Record;
 use campaign::sweep_file::axis_in_units;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -67,24 +66,11 @@ pub struct Asked {
     pub limit: Limit,
 }
 
-/// What a case comes to.
-struct Followed {
-    record: Record,
-    motion: Option<Motion>,
-    /// What is to be said of the method.
-    doubt: Option<String>,
-}
-
 /// Follows a case to the end of its time.
 ///
 /// # Errors
 /// Where there is no such case, or it would take too much memory.
 pub fn simulate(py: Python<'_>, sweep: &ReadSweep, asked: Asked) -> PyResult<Simulation> {
-    let words = |error: ChoiceError| match error {
-        ChoiceError::File(error) => sweep.lines.file_error(py, &error),
-        ChoiceError::Beside(reason) => sweep.about_file(reason),
-        _ => refused(error),
-    };
     let set = asked.set.iter();
     let set = set.map(|(name, value)| {
         axis_in_units(name)
@@ -92,119 +78,88 @@ pub fn simulate(py: Python<'_>, sweep: &ReadSweep, asked: Asked) -> PyResult<Sim
             .map_err(refused)
     });
     let set = set.collect::<PyResult<Vec<_>>>()?;
-    let choice = Choice::new(&sweep.plan, asked.case, &set).map_err(words)?;
-    let plan = Arc::clone(&sweep.plan);
-    let followed = wait_for(py, move || follow(&plan, choice, &asked))?;
-    let followed = followed.map_err(|error| match error.downcast::<ChoiceError>() {
-        Ok(error) => words(error),
-        Err(error) => sweep.lines.any_error(py, &error),
-    })?;
-    if let Some(doubt) = &followed.doubt {
+    let campaign = Arc::clone(&sweep.campaign);
+    let seen = wait_for(py, move || Seen::of(&campaign, &set, &asked))?;
+    let Seen {
+        record,
+        motion,
+        doubt,
+    } = seen.map_err(|error| in_words(py, sweep, error))?;
+    if let Some(doubt) = doubt {
         warn(py, doubt)?;
     }
     let row = PyDict::new(py);
-    put_row(&LabelTable::of(&sweep.plan), &followed.record, &row)?;
-    let motion = followed.motion.map(|motion| Py::new(py, motion));
+    put_row(&LabelTable::of(&sweep.campaign.sweep), &record, &row)?;
+    let motion = motion.map(|motion| Py::new(py, motion));
     Ok(Simulation {
         row: row.unbind(),
         motion: motion.transpose()?,
-        failure: followed.record.outcome.err().map(|why| why.to_string()),
+        failure: record.outcome.err().map(|why| why.to_string()),
     })
 }
 
-/// The row of a case and its motion, as the command has them of a case by one method.
-fn follow(plan: &Plan, choice: Choice, asked: &Asked) -> anyhow::Result<Followed> {
-    let (method, limit) = (asked.method, &asked.limit);
-    let options = RunOptions {
-        // A run refuses the method before any row: what it would do can be seen here.
-        allow_unstable: asked.options.allow_unstable || !plan.design.varies_string(),
-        ..asked.options
-    };
-    let failed = |index, values, reason: Failure| Followed {
-        record: Record::failed(index, method, values, reason),
-        motion: None,
-        doubt: None,
-    };
-    let setting = match common_setting(plan, std::slice::from_ref(&choice))? {
-        Ok(setting) => setting,
-        // Values that make no string: a case without an answer.
-        Err(reason) => return Ok(failed(choice.index, choice.values, Failure::new(reason))),
-    };
-    let mut plan = Plan {
-        setting,
-        ..plan.clone()
-    };
-    let mut chosen = choice.case(&plan)?;
-    admit_history(&plan, &chosen, limit)?;
-    let build = |plan: &Plan, longest| {
-        let setting = plan.setting.for_labels();
-        MethodSystem::build_for(plan, &setting, plan.methods[method], longest)
-    };
-    let refuse = |error: anyhow::Error, chosen: &ChosenCase| {
-        // Where all cases share the string, a run would not begin.
-        match plan.design.varies_string() {
-            true => Ok(failed(
-                chosen.case.index,
-                chosen.case.values.clone(),
-                Failure::new(format_args!("{error:#}")),
-            )),
-            false => Err(error),
+/// Why a case is not followed.
+enum Refusal {
+    Choice(ChoiceError),
+    Following(FollowError),
+}
+
+fn in_words(py: Python<'_>, sweep: &ReadSweep, error: Refusal) -> PyErr {
+    use FollowError::{Case, DifferentSites, Memory, Motion, Sites, Systems};
+    match error {
+        Refusal::Choice(ChoiceError::File(error)) | Refusal::Following(Sites(error)) => {
+            sweep.lines.file_error(py, &error)
         }
-    };
-    let mut system = match build(&plan, chosen.longest) {
-        Ok(system) => system,
-        Err(error) => return refuse(error, &chosen),
-    };
-    let mut found = None;
-    if plan
-        .setting
-        .lateral
-        .as_ref()
-        .is_some_and(|lateral| lateral.finding.is_some())
-    {
-        let row = answer(&system, &chosen.case, method, options, &plan);
-        let sites = match &row.outcome {
-            Ok(_) => row.found.as_ref().map(|found| found.sites.clone()),
-            Err(_) => None,
-        };
-        let Some(sites) = sites else {
-            return Ok(Followed {
-                record: row,
-                motion: None,
-                doubt: None,
-            });
-        };
-        plan.setting = plan.setting_with_sites(&plan.setting, &sites)?;
-        chosen.case = chosen.case.at_sites_of(&plan.setting)?;
-        admit_history(&plan, &chosen, limit)?;
-        system = build(&plan, chosen.longest)?;
-        // That of a run, which says in how many rounds they were found.
-        found = Some(row);
+        Refusal::Choice(ChoiceError::SharedString(reason)) => sweep.about_file(reason),
+        Refusal::Choice(error) => refused(error),
+        Refusal::Following(Memory(error) | Systems(error) | Motion(error)) => {
+            sweep.lines.any_error(py, &error)
+        }
+        Refusal::Following(error @ (Case(_) | DifferentSites)) => refused(error),
     }
-    let doubt = system.instability().filter(|_| options.allow_unstable);
-    let followed = FollowedMethod::new(&plan, system, chosen.longest)?;
-    let (record, simulation) = followed.simulate(&plan, &chosen.case, method, options, true)?;
-    let sites = plan.setting.sites.distances_from_bit();
-    Ok(Followed {
-        record: found.unwrap_or(record),
-        motion: simulation.map(|simulation| Motion {
-            sites: sites.to_vec(),
-            trajectory: simulation.trajectory,
-        }),
-        doubt: doubt.map(|doubt| doubt.to_string()),
-    })
 }
 
-/// Refuses what would take more memory than is allowed.
-fn admit_history(plan: &Plan, chosen: &ChosenCase, limit: &Limit) -> anyhow::Result<()> {
-    let survey = Survey {
-        longest: chosen.longest,
-        ..Survey::default()
-    };
-    let purpose = Purpose::Histories {
-        cases: 1,
-        shapes: 0,
-    };
-    admit(plan, &plan.setting, &survey, purpose, limit)?;
-    Ok(())
+/// A case that was followed to its end.
+struct Seen {
+    record: Record,
+    motion: Option<Motion>,
+    /// What is to be said of the method.
+    doubt: Option<String>,
+}
+
+impl Seen {
+    /// The row of a case and its motion, as the command has them of a case by one method.
+    fn of(campaign: &Campaign, set: &[(Axis, f64)], asked: &Asked) -> Result<Self, Refusal> {
+        let doubt = RefCell::new(None);
+        let chosen = campaign.cases(&[asked.case], set, &[asked.method]);
+        let (mut rows, motion) = match chosen.map_err(Refusal::Choice)? {
+            Err(rows) => (rows, None),
+            Ok(chosen) => {
+                let following = Following {
+                    options: asked.options,
+                    memory: Some((&asked.limit, 0)),
+                    warn: &|instability| *doubt.borrow_mut() = Some(instability.to_string()),
+                };
+                let followed = chosen.follow(&following, &mut KeptSystems::default());
+                let Followed {
+                    sweep,
+                    rows,
+                    simulations,
+                    ..
+                } = followed.map_err(Refusal::Following)?;
+                let simulation = simulations.into_iter().next();
+                let motion = simulation.map(|simulation| Motion {
+                    sites: sweep.setting.sites.distances_from_bit().to_vec(),
+                    trajectory: simulation.trajectory,
+                });
+                (rows, motion)
+            }
+        };
+        Ok(Self {
+            // One case by one method has one row.
+            record: rows.swap_remove(0),
+            motion,
+            doubt: doubt.into_inner(),
+        })
+    }
 }

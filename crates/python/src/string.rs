@@ -49,7 +49,7 @@ impl Modes {
         Some(vector(py, self.damping_ratios.clone()?))
     }
 
-    /// Depths at which shapes are told, m.
+    /// Depths at which shapes are given, m.
     #[getter]
     fn depths<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         vector(py, self.depths.clone())
@@ -169,7 +169,7 @@ impl Drillstring {
         match memory {
             Err(BuildError::TooManyTaps { taps, .. }) => {
                 return Err(refused(format_args!(
-                    "these responses are too long: {taps:.3e} taps"
+                    "these responses are too long: {taps:.3e} steps"
                 )));
             }
             memory => fits(memory.map_err(refused)?.peak)?,

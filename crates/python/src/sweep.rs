@@ -4,13 +4,15 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use campaign::engine::{MethodSystem, RunOptions};
+use campaign::engine::{Recipe, RunOptions};
 use campaign::memory::{Limit, Size};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use results::window::WindowAsked;
 
 use crate::errors::{Lines, refused};
-use crate::limits::limits;
+use crate::folders::{own_folder, window};
+use crate::limits::{limits, whirl_limits};
 use crate::read::{ReadSweep, Texts};
 use crate::responses::Responses;
 use crate::run::run;
@@ -24,7 +26,7 @@ pub struct Sweep(ReadSweep);
 
 #[pymethods]
 impl Sweep {
-    /// Reads a sweep file, with these methods in place of its own.
+    /// Reads a sweep file, with these methods instead of the file's.
     #[staticmethod]
     #[pyo3(signature = (path, *, methods = None))]
     fn read(py: Python<'_>, path: PathBuf, methods: Option<Vec<String>>) -> PyResult<Self> {
@@ -98,20 +100,21 @@ impl Sweep {
     /// The file's name without its ending.
     #[getter]
     fn name(&self) -> &str {
-        &self.0.plan.name
+        &self.0.campaign.sweep.name
     }
 
     /// One line for pictures.
     #[getter]
     fn title(&self) -> &str {
-        &self.0.plan.title
+        &self.0.campaign.sweep.title
     }
 
     /// Names of the linear methods.
     #[getter]
     fn methods(&self) -> Vec<&'static str> {
         self.0
-            .plan
+            .campaign
+            .sweep
             .methods
             .iter()
             .map(|method| method.name())
@@ -122,7 +125,8 @@ impl Sweep {
     #[getter]
     fn axes(&self) -> Vec<String> {
         self.0
-            .plan
+            .campaign
+            .sweep
             .design
             .axes()
             .iter()
@@ -133,12 +137,12 @@ impl Sweep {
     /// Number of cases.
     #[getter]
     fn cases(&self) -> usize {
-        self.0.plan.design.cases()
+        self.0.campaign.sweep.design.cases()
     }
 
     /// The values of a case along the axes.
     fn values<'py>(&self, py: Python<'py>, case: usize) -> PyResult<Bound<'py, PyDict>> {
-        let cases = self.0.plan.design.cases();
+        let cases = self.0.campaign.sweep.design.cases();
         if case >= cases {
             let last = cases - 1;
             return Err(refused(format_args!(
@@ -146,7 +150,11 @@ impl Sweep {
             )));
         }
         let values = PyDict::new(py);
-        for (axis, value) in self.axes().into_iter().zip(self.0.plan.design.values(case)) {
+        for (axis, value) in self
+            .axes()
+            .into_iter()
+            .zip(self.0.campaign.sweep.design.values(case))
+        {
             values.set_item(axis, value)?;
         }
         Ok(values)
@@ -155,37 +163,43 @@ impl Sweep {
     /// The string as the file says it.
     #[getter]
     fn string(&self) -> Drillstring {
-        let string = self.0.plan.setting.string.clone();
+        let string = self.0.campaign.sweep.setting.string.clone();
         Drillstring { string }
     }
 
     /// Distances of the sites from the bit, m, from the surface down.
     #[getter]
     fn sites(&self) -> Vec<f64> {
-        self.0.plan.setting.sites.distances_from_bit().to_vec()
+        self.0
+            .campaign
+            .sweep
+            .setting
+            .sites
+            .distances_from_bit()
+            .to_vec()
     }
 
     /// Sampling frequency, Hz.
     #[getter]
     fn sampling_frequency(&self) -> f64 {
-        self.0.plan.setting.sampling_frequency
+        self.0.campaign.sweep.setting.sampling_frequency
     }
 
     /// The file with its bases as JSON.
     fn _json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.0.plan.content).map_err(refused)
+        serde_json::to_string(&self.0.campaign.sweep.content).map_err(refused)
     }
 
     /// The impulse responses by which a run steps the string as the file says it: those of its
     /// first method, or of one that is named.
     #[pyo3(signature = (method = None))]
     fn responses(&self, py: Python<'_>, method: Option<&str>) -> PyResult<Responses> {
-        let method = self.0.plan.methods[self.0.place_of(method)?];
+        let method = self.0.campaign.sweep.methods[self.0.place_of(method)?];
         let longest = self.0.look(py)?.longest;
-        let plan = Arc::clone(&self.0.plan);
+        let campaign = Arc::clone(&self.0.campaign);
         let built = wait_for(py, move || {
-            let setting = plan.setting.for_labels();
-            MethodSystem::build_for(&plan, &setting, method, longest)
+            let setting = campaign.sweep.setting.for_labels();
+            Recipe::of(&campaign.sweep, &setting, method, longest).build()
         })?;
         let system = built.map_err(|error| self.0.lines.any_error(py, &error))?;
         Responses::new(system.responses)
@@ -228,6 +242,42 @@ impl Sweep {
         limits(py, &self.0, limit_of(memory)?)
     }
 
+    /// The limit of whirl between two surface speeds (rpm), by the columns of `boundary.csv`.
+    fn _whirl_limits<'py>(
+        &self,
+        py: Python<'py>,
+        least: f64,
+        most: f64,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        whirl_limits(py, &self.0, [least, most])
+    }
+
+    /// The operating window by results folders of its string, by the columns of `window.csv`; and
+    /// the best point.
+    #[pyo3(signature = (folders, *, orders, held_at, margin, risk, bins, clearance))]
+    #[expect(clippy::too_many_arguments, reason = "keywords")]
+    fn _window<'py>(
+        &self,
+        py: Python<'py>,
+        folders: Option<Vec<PathBuf>>,
+        orders: Vec<f64>,
+        held_at: Option<Vec<f64>>,
+        margin: f64,
+        risk: f64,
+        bins: usize,
+        clearance: f64,
+    ) -> PyResult<(Bound<'py, PyDict>, Option<Bound<'py, PyDict>>)> {
+        let asked = WindowAsked {
+            orders,
+            held_at,
+            margin,
+            risk,
+            bins,
+        };
+        let folders = folders.unwrap_or_else(|| vec![own_folder(&self.0)]);
+        window(py, &self.0, folders, asked, clearance)
+    }
+
     /// Runs every case by every method, and gives the columns of `labels.csv` by name.
     #[pyo3(signature = (
         *, threads = None, progress = None, full = false, allow_unstable = false, memory = None
@@ -249,7 +299,7 @@ impl Sweep {
     }
 
     fn __repr__(&self) -> String {
-        let (name, cases) = (&self.0.plan.name, self.cases());
+        let (name, cases) = (&self.0.campaign.sweep.name, self.cases());
         format!(
             "<Sweep {name}: {cases} cases by {}>",
             self.methods().join(", ")

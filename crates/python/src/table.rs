@@ -1,4 +1,4 @@
-//! Rows of `labels.csv` as columns in memory.
+//! Rows of `labels.csv` and other tables as columns in memory.
 
 use std::collections::HashMap;
 
@@ -10,7 +10,7 @@ use pyo3::types::{PyDict, PyNone, PyString};
 
 use crate::arrays::vector;
 
-/// A column; what a row does not have is none, or not a number.
+/// A column; missing values are `None`, or NaN.
 pub enum Column {
     /// Names.
     Text(Vec<Option<String>>),
@@ -34,6 +34,33 @@ pub fn columns(table: &LabelTable, records: &[Record]) -> Vec<(String, Column)> 
         }
     }
     columns
+}
+
+/// The columns of a table of any rows.
+pub fn table_of<'a, const COLUMNS: usize>(
+    columns: &[(&str, Kind); COLUMNS],
+    rows: impl Iterator<Item = [Field<'a>; COLUMNS]>,
+) -> Vec<(String, Column)> {
+    let column = |&(name, kind): &(&str, Kind)| (name.to_owned(), Column::with_capacity(kind, 0));
+    let mut table: Vec<(String, Column)> = columns.iter().map(column).collect();
+    for row in rows {
+        for ((_, column), field) in table.iter_mut().zip(row) {
+            column.push(field);
+        }
+    }
+    table
+}
+
+/// Columns as arrays by name.
+///
+/// # Errors
+/// Where memory does not take it.
+pub fn by_name(py: Python<'_>, table: Vec<(String, Column)>) -> PyResult<Bound<'_, PyDict>> {
+    let arrays = PyDict::new(py);
+    for (name, column) in table {
+        arrays.set_item(name, column.array(py)?)?;
+    }
+    Ok(arrays)
 }
 
 impl Column {

@@ -11,9 +11,8 @@ use crate::errors::refused;
 /// Time between two looks at signals and progress.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
 
-/// Does some work with the interpreter free for others, and looks at what it has done so far
-/// ten times a second. Where that or a signal raises, what the work comes to is dropped: its
-/// thread ends when it does.
+/// Does some work with the interpreter free for others, and calls `look` ten times a second. Where
+/// that or a signal raises, the result of the work is dropped: its thread ends when the work does.
 ///
 /// # Errors
 /// What a look or a signal raises.
@@ -44,7 +43,7 @@ pub fn watch<T: Send + 'static>(
     }
 }
 
-/// The same of work that nobody looks at.
+/// The same of work without `look`.
 ///
 /// # Errors
 /// What a signal raises.

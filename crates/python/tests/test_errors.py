@@ -1,5 +1,4 @@
-"""Errors are exceptions in the words of the command; Ctrl-C and a limit of memory stop what
-would go on."""
+"""Errors are exceptions in the words of the command; Ctrl-C and a limit of memory stop a run."""
 
 import os
 import signal
@@ -33,9 +32,9 @@ def test_a_file_is_refused_in_the_words_of_the_command(command, tmp_path):
     error = raised.value
     assert (error.file, error.line, error.key) == (str(file), 4, "bit.rock")
     assert isinstance(error, ds.DrillstringError)
-    told = command("run", file, code=2).stderr
-    assert str(error) in told
-    assert error.message in told
+    message = command("run", file, code=2).stderr
+    assert str(error) in message
+    assert error.message in message
 
 
 def test_a_table_is_refused_by_its_key_and_no_line():
@@ -45,12 +44,12 @@ def test_a_table_is_refused_by_its_key_and_no_line():
     assert raised.value.key == "time_s"
 
 
-def test_a_case_a_method_or_an_axis_that_is_none_is_refused():
+def test_an_unknown_case_method_or_axis_is_refused():
     sweep = ds.Sweep.read("sweeps/fig09.toml")
     for ask, words in [
         (lambda: sweep.simulate(500), "case 500: there are cases 0 to 499"),
         (lambda: sweep.values(500), "case 500"),
-        (lambda: sweep.simulate(method="held"), "none of the sweep's methods"),
+        (lambda: sweep.simulate(method="held"), "not one of the sweep's methods"),
         (lambda: sweep.simulate(set={"surface_speed": 1}), "did you mean `surface_speed_rpm`"),
         (lambda: sweep.simulate(set={"friction": 1}), "friction: "),
         (lambda: sweep.run(threads=0), "threads 0"),
@@ -67,7 +66,7 @@ def test_an_accuracy_that_cannot_be_had_is_refused():
         ds.Sweep.from_toml(text, folder=".")
 
 
-def test_a_string_that_cannot_be_is_refused():
+def test_an_invalid_string_is_refused():
     steel = ds.Material()
     with pytest.raises(ds.DrillstringError, match="internal radius < external radius"):
         ds.Drillstring([ds.Section([ds.Tube(10, 0.1, 0.05)])], material=steel, torsional_damping=1)
@@ -116,14 +115,14 @@ def test_ctrl_c_ends_a_run_within_a_second():
 
 
 def test_what_progress_raises_ends_a_run():
-    told = []
+    calls = []
 
     def progress(done, total):
-        told.append((done, total))
+        calls.append((done, total))
         if done > 100:
             raise LookupError("enough")
 
     with pytest.raises(LookupError, match="enough"):
         ds.Sweep.from_dict(LONG).run(progress=progress, memory="64G")
-    assert told[-1][0] > 100
-    assert {total for _, total in told} <= {0, 3_000_000}
+    assert calls[-1][0] > 100
+    assert {total for _, total in calls} <= {0, 3_000_000}

@@ -123,10 +123,10 @@ def test_as_many_threads_run_as_slurm_allots(monkeypatch):
     assert threads_of_a_run("6") - threads_of_a_run("2") == 4
 
 
-def test_what_slurm_cannot_mean_is_warned_of_and_passed_over(monkeypatch):
+def test_impossible_values_of_slurm_are_ignored_with_a_warning(monkeypatch):
     monkeypatch.setenv("SLURM_CPUS_PER_TASK", "many")
     sweep = ds.Sweep.read("sweeps/fig09.toml", methods=["held"])
-    with pytest.warns(ds.DrillstringWarning, match='SLURM_CPUS_PER_TASK="many" is passed over'):
+    with pytest.warns(ds.DrillstringWarning, match='SLURM_CPUS_PER_TASK="many" is ignored'):
         sweep.run()
 
 
@@ -179,14 +179,98 @@ def test_an_accuracy_is_chosen_as_by_the_command(command, tmp_path):
     assert_same_table(sweep.run(), tmp_path / "labels.csv")
 
 
+def assert_same_columns(columns, path):
+    rows = read(path)
+    assert rows
+    assert list(columns) == list(rows[0])
+    for name, column in columns.items():
+        assert len(column) == len(rows), name
+        for value, row in zip(column, rows):
+            assert same(value, row[name]), (name, value, row[name])
+
+
+SENSITIVITY = """
+base = "academic.toml"
+bit = { rock = "sandstone" }
+methods = ["held"]
+
+[design]
+kind = "sensitivity"
+cases = 24
+seed = 5
+
+[design.axes]
+surface_speed_rpm = { from = 0.02, to = 0.6 }
+weight_on_bit_kn = { from = 20, to = 80 }
+"""
+
+GRID = """
+base = "academic.toml"
+bit = { rock = "sandstone" }
+methods = ["held", "quadrature"]
+
+[design]
+kind = "grid"
+
+[design.axes]
+surface_speed_rpm = { from = 0.02, to = 0.6, count = 6 }
+weight_on_bit_kn = { from = 20, to = 80, count = 6 }
+"""
+
+
+def written(tmp_path, text):
+    """A separate sweep file."""
+    file = tmp_path / "own.toml"
+    file.write_text(text.replace('base = "', f'base = "{os.getcwd()}/sweeps/'))
+    return file
+
+
+def test_an_analysis_is_that_of_the_command(command, tmp_path):
+    file, out = written(tmp_path, SENSITIVITY), tmp_path / "out"
+    command("run", file, "--out", out, "--quiet")
+    by = ["--by", "surface_speed_rpm,weight_on_bit_kn", "--bins", 3]
+    tables = ["--out", tmp_path / "counts.csv", "--indices", tmp_path / "indices.csv"]
+    command("analyse", out, *by, *tables)
+    found = ds.analyse(out, by=[("surface_speed_rpm", "weight_on_bit_kn")], bins=3)
+    assert_same_columns(found.counts, tmp_path / "counts.csv")
+    assert_same_columns(found.indices, tmp_path / "indices.csv")
+    with pytest.raises(ds.DrillstringError, match="do not differ in friction; they do in"):
+        ds.analyse(out, by=["friction"])
+    with pytest.raises(ds.DrillstringError, match="hold the same cases"):
+        ds.analyse([out, out])
+    with pytest.raises(ds.DrillstringError, match="holds no results"):
+        ds.analyse(tmp_path)
+
+
+@pytest.mark.parametrize("text", [GRID, STRINGS], ids=["grid", "strings"])
+def test_a_window_is_that_of_the_command(command, tmp_path, text):
+    file, out = written(tmp_path, text), tmp_path / "out"
+    command("run", file, "--out", out, "--quiet")
+    options = ["--bins", 2, "--risk", 0.4, "--clearance", 0.02]
+    said = command("window", file, out, *options).stdout
+    window = ds.Sweep.read(file).window(out, bins=2, risk=0.4, clearance=0.02)
+    assert_same_columns(window.cells, out / "window.csv")
+    if text == GRID:
+        speed = f"{window.best['surface_speed_rpm']:.3g} rpm"
+        assert speed in said and window.best["standing"] == "safe"
+    with pytest.raises(ds.DrillstringError, match="the string does not bend"):
+        ds.Sweep.read(file).window(out, held_at=[0])
+
+
+def test_whirl_limits_are_those_of_a_map_at_its_speeds():
+    sweep = ds.Sweep.read("sweeps/fig14.toml")
+    limits = sweep.limits()
+    speeds = limits["surface_speed_rpm"]
+    found = sweep.whirl_limits(speeds.min(), speeds.max())
+    assert len(speeds) > 1 and list(found) == list(limits)
+    for name, column in limits.items():
+        assert list(map(str, found[name])) == list(map(str, column)), name
+    assert len(ds.Sweep.read("sweeps/fig09.toml").whirl_limits(1, 2)["friction"]) == 0
+
+
 @pytest.mark.parametrize("name", ["fig09", "fig14"])
 def test_limits_are_those_of_the_command(command, tmp_path, name):
     limits = ds.Sweep.read(f"sweeps/{name}.toml").limits()
     command("run", f"sweeps/{name}.toml", "--out", tmp_path, "--quiet")
-    rows = read(tmp_path / "boundary.csv")
-    assert len(rows) > 1
-    assert list(limits) == list(rows[0])
-    for name, column in limits.items():
-        assert len(column) == len(rows)
-        for value, row in zip(column, rows):
-            assert same(value, row[name]), (name, value, row[name])
+    assert len(read(tmp_path / "boundary.csv")) > 1
+    assert_same_columns(limits, tmp_path / "boundary.csv")

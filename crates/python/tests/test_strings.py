@@ -1,4 +1,4 @@
-"""Responses, modes and laws of one's own, against what is known of them otherwise."""
+"""Responses, modes and user-defined laws, against independent results."""
 
 import math
 

@@ -1,7 +1,7 @@
 //! Folders of results.
 //!
 //! ```text
-//!   log        each case kept as done, so that a run goes on from where it was stopped
+//!   log        each case kept as done, so that a run continues from where it was stopped
 //!    │
 //!   folder     labels.csv, failures.csv, records.jsonl.gz, manifest.json
 //!    │

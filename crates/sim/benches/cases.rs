@@ -142,7 +142,7 @@ fn history_by_blocks(bencher: Bencher, taps: usize) {
     });
 }
 
-/// Friction on so many pieces of a string that sticks and slips, 60 s at 160 Hz.
+/// Friction on a number of pieces of a string that sticks and slips, 60 s at 160 Hz.
 #[divan::bench(args = [20, 50, 200], sample_count = 10)]
 fn string_friction(bencher: Bencher, pieces: usize) {
     let string = academic::damped_string(1.0);
@@ -176,7 +176,7 @@ fn string_friction(bencher: Bencher, pieces: usize) {
     });
 }
 
-/// Cutting a string at so many nodes.
+/// Cutting a string at a number of nodes.
 #[divan::bench(args = [20, 50, 200], sample_count = 10)]
 fn cascade(bencher: Bencher, pieces: usize) {
     let string = academic::damped_string(1.0);

@@ -14,7 +14,7 @@ fn main() {
 
 const DURATION: f64 = 10.0;
 
-/// Distances from the bit, m, of so many sites a metre apart.
+/// Distances from the bit, m, of a number of sites a metre apart.
 fn distances(sites: usize) -> Vec<f64> {
     (0..sites).map(|site| site as f64).collect()
 }

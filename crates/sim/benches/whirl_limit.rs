@@ -17,7 +17,7 @@ fn main() {
 /// 60 and 180 rpm, rad/s.
 const SPEEDS: [f64; 2] = [TAU, 3.0 * TAU];
 
-/// Times what is asked of so many sites.
+/// Times what is asked of a number of sites.
 fn of_sites<T>(
     bencher: Bencher,
     sites: usize,

@@ -1,4 +1,4 @@
-//! A contact law of one's own: a bit with dry and viscous friction.
+//! A user-defined contact law: a bit with dry and viscous friction.
 //! `cargo run --release -p sim --example own_contact_law`
 
 use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};

@@ -1,4 +1,4 @@
-//! The regimes of a friction law of one's own: torque against speed, with a valley between dry
+//! The regimes of a user-defined friction law: torque against speed, with a valley between dry
 //! friction that falls and viscous friction that rises.
 //! `cargo run --release -p sim --example own_regimes`
 

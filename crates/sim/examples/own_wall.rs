@@ -1,4 +1,4 @@
-//! A wall of one's own: rubber, a linear spring with a damper and no friction, around a
+//! A user-defined wall: rubber, a linear spring with a damper and no friction, around a
 //! site that an impulse sends against it. `cargo run --release -p sim --example own_wall`
 
 use linear::{

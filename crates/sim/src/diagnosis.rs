@@ -17,11 +17,11 @@ pub struct Sticking {
     pub drift: f64,
 }
 
-/// Looks at the torque that holds a bit, N m per rad/s of a surface that turns
+/// Analyses the torque that holds a bit, N m per rad/s of a surface that turns
 /// from the first step on (see [`crate::Simulator::stuck_torque`]), for a string of
 /// the given static stiffness k_eff (N m/rad) and response A(0) (rad/s per N m).
-/// Whatever of it is not finite makes numbers that are not; so does a torque of fewer
-/// than four steps.
+/// Values that are not finite give results that are not finite; so does a torque of fewer than four
+/// steps.
 pub fn sticking(
     held: &[f64],
     sampling_frequency: f64,

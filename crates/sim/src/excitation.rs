@@ -64,14 +64,14 @@ impl EccentricMass {
 }
 
 /// I₀: the least impulse (N s) of the given duration that brings a site from
-/// its response to a unit force in one step, `taps`, to its clearance. Infinite
-/// where none does; not a number where the taps or the impulse are none.
+/// its response to a unit force in one step, `taps`, to its clearance. Infinite where no impulse
+/// does; NaN where the taps or the impulse are invalid.
 pub fn least_impulse(taps: &[f64], sampling: Sampling, duration: f64, clearance: f64) -> f64 {
     clearance / reach_of_impulse(taps, sampling, duration)
 }
 
 /// How far (m per N s) an impulse of the given duration moves a site that answers to a unit
-/// force in one step with `taps`. Not a number where the taps or the impulse are none.
+/// force in one step with `taps`. NaN where the taps or the impulse are invalid.
 pub fn reach_of_impulse(taps: &[f64], sampling: Sampling, duration: f64) -> f64 {
     let unit = Impulse {
         site: 0,

@@ -94,7 +94,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         for mass in &self.scene.eccentric_masses {
             let [x, y] = self.positions[mass.site];
             let speed = last_speeds[self.walls.ports()[mass.site]];
-            let since = sampling.moment / sampling.frequency;
+            let since = sampling.collocation_offset / sampling.frequency;
             let rotation = self.rotations[mass.site] + since * speed;
             add(mass.site, mass.force(x.hypot(y), rotation, speed));
         }

@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn each_motion_has_a_value_of_its_own() {
+    fn each_motion_has_its_own_value() {
         let mut values = PerMotion::from_fn(Motion::title);
         assert_eq!(values[Motion::Lateral], "Lateral motion");
         values[Motion::Lateral] = "sideways";

@@ -1,5 +1,5 @@
-//! A passive load that looks for energy in the string: an oscillator without
-//! loss, hung on the sites, tuned, and let go.
+//! A passive load that looks for energy in the string: an oscillator without loss, attached to the
+//! sites, tuned, and released.
 //!
 //! A string whose responses are positive-real takes energy from it, always. One
 //! that is not gives it energy, and for ever more of it, if the oscillator is
@@ -18,7 +18,7 @@ const RESPONSE_LENGTHS: usize = 128;
 /// No oscillator is followed longer, in steps.
 const MOST_STEPS: usize = 1 << 22;
 
-/// What an oscillator gains, in units of the largest A(0), that is hung on the sites
+/// The energy gain, in units of the largest A(0), of an oscillator attached to the sites
 /// with the responses `taps[output][input]`, tuned to where these are furthest from
 /// positive-real and distributed as they are weakest. Where the margin is right, that
 /// is its negative.

@@ -34,7 +34,7 @@ pub enum SceneError {
         /// How many there are.
         sites: usize,
     },
-    /// Something acts at a site that there is not.
+    /// Something acts at a site that does not exist.
     #[error("{what} acts at site {site}, but the {sites} sites are counted from 0")]
     NoSuchSite {
         /// What acts there.

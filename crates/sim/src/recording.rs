@@ -82,7 +82,7 @@ impl Recording {
         self.0.times[self.0.times.len() - 1]
     }
 
-    /// The same with other values in the place of its own.
+    /// The same with its values replaced.
     pub fn map(&self, value: impl Fn(f64) -> f64) -> Self {
         Self(Arc::new(Samples {
             times: self.0.times.clone(),

@@ -21,7 +21,7 @@ pub struct Timing {
 /// One case. The laws may be a user's own ([`TorqueLaw`], [`WallLaw`]).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene<B = BitTorque, W = Wall> {
-    /// Surface rotation speed Ω that it comes to, rad/s.
+    /// Final surface rotation speed Ω, rad/s.
     pub surface_speed: f64,
     /// The motion that it begins with.
     pub start: Start,

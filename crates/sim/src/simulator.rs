@@ -34,7 +34,7 @@ impl Simulator {
         Self::started(responses, &SurfaceProfile::default())
     }
 
-    /// The same for cases whose surface comes to its speed in another way.
+    /// The same for cases whose surface reaches its speed in another way.
     ///
     /// # Errors
     /// As [`System::started`].
@@ -121,8 +121,8 @@ impl Simulator {
         self.simulate_laws(scene, stopping, record)
     }
 
-    /// The same under laws of one's own. What is left out follows from what they say of themselves
-    /// ([`TorqueLaw`], [`WallLaw`]).
+    /// The same under user-defined laws. Which steps are left out follows from the properties that
+    /// they declare ([`TorqueLaw`], [`WallLaw`]).
     ///
     /// # Errors
     /// As [`Simulator::simulate`].

@@ -473,7 +473,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     }
 
     /// Passes a block in which nothing acts on any site, at the end of which the sites
-    /// are at `positions`; of its steps only so many are the scene's.
+    /// are at `positions`; of its steps only `steps` belong to the scene.
     pub(crate) fn pass_block(&mut self, steps: usize, positions: &[[f64; 2]]) {
         self.coupling.clear();
         self.torsion.push_quiet_block();

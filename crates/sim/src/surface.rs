@@ -28,7 +28,7 @@ impl Default for SurfaceProfile {
 }
 
 impl SurfaceProfile {
-    /// Time until it has come to its speed, s; what was recorded has none.
+    /// Time until it has reached its speed, s; `None` for a recorded speed.
     pub fn rise(&self) -> f64 {
         match self {
             Self::Rise(time) => *time,
@@ -62,7 +62,7 @@ impl SurfaceProfile {
     }
 }
 
-/// Speed of a site in every step per unit of the speed that the surface comes to.
+/// Speed of a site in every step per unit of the final speed of the surface.
 #[derive(Debug, Clone)]
 pub(crate) struct SurfaceResponse {
     /// The response to a step, or to what was recorded; to a rise, its sums before each step.
@@ -77,8 +77,8 @@ pub(crate) struct SurfaceResponse {
 struct Rise {
     /// How long it takes, steps.
     steps: f64,
-    /// Where in a step the surface is told to be.
-    moment: f64,
+    /// Where in a step the motion of the surface is taken.
+    collocation_offset: f64,
 }
 
 impl SurfaceResponse {
@@ -100,7 +100,7 @@ impl SurfaceResponse {
         let steps = rise * sampling.frequency;
         let rise = (steps > 0.0).then_some(Rise {
             steps,
-            moment: sampling.moment,
+            collocation_offset: sampling.collocation_offset,
         });
         if rise.is_some() {
             step_response = std::iter::once(0.0)
@@ -133,7 +133,7 @@ impl SurfaceResponse {
             // It does not change after its last.
             None => self.values[step.min(self.values.len() - 1)],
             Some(rise) => {
-                let end = step as f64 + rise.moment;
+                let end = step as f64 + rise.collocation_offset;
                 (self.sum_to(end) - self.sum_to(end - rise.steps)) / rise.steps
             }
         }
@@ -214,12 +214,12 @@ mod tests {
     /// Against the sum of Eq. 17 over a speed that rises, wherever in a step that is taken.
     #[test]
     fn a_rise_is_answered_as_the_history_sum_does() {
-        for (rise, moment) in [(3.0, 0.0), (4.0, 0.5), (7.0, 0.0), (2.0, 0.5)] {
-            let sampling = Sampling::new(2.0, moment);
+        for (rise, collocation_offset) in [(3.0, 0.0), (4.0, 0.5), (7.0, 0.0), (2.0, 0.5)] {
+            let sampling = Sampling::new(2.0, collocation_offset);
             let profile = SurfaceProfile::Rise(0.5 * rise);
             let response = SurfaceResponse::new(&TAPS, &profile, sampling);
             // The mean over a step that the rise ends within is not the speed in its middle.
-            let speed = |step: usize| match moment {
+            let speed = |step: usize| match collocation_offset {
                 0.0 => (step as f64 / rise).min(1.0),
                 _ => ((step as f64 + 0.5) / rise).min(1.0),
             };
@@ -239,8 +239,8 @@ mod tests {
     /// A rise is one recording among others, and turns on after its end.
     #[test]
     fn a_recording_is_answered_as_the_history_sum_does() {
-        for moment in [0.0, 0.5] {
-            let sampling = Sampling::new(2.0, moment);
+        for collocation_offset in [0.0, 0.5] {
+            let sampling = Sampling::new(2.0, collocation_offset);
             let recording =
                 Recording::new(vec![0.0, 1.0, 4.0, 5.0], vec![0.2, 0.9, -0.3, 0.5]).unwrap();
             let profile = SurfaceProfile::Recorded(recording.clone());

@@ -25,7 +25,7 @@ pub struct SurfaceTorque {
     rotor_inertia: f64,
     /// Of the string alone, per unit of surface speed.
     turned: SurfaceResponse,
-    /// Of each site, what of a torque there comes to the surface.
+    /// Of each site, the response of the torque at the surface to a torque there.
     from_sites: Vec<Kernels>,
     /// The site that is the bit, where one is.
     bit_site: Option<usize>,
@@ -41,17 +41,17 @@ impl SurfaceTorque {
         budget.pass(Need::lasting(bytes), What::Simulator)
     }
 
-    /// Bytes that finding it takes for a motion of a number of steps, besides the motion.
+    /// Bytes that finding it takes for a motion of a number of steps, without the motion.
     pub fn bytes_of_motion(taps: usize, steps: f64) -> f64 {
         Convolution::bytes(1, 1, taps, steps) + 2.0 * REAL * steps
     }
 
     /// For a string with `responses` whose surface turns by a profile; `taps` are those of
-    /// [`linear::surface_torque`] by the method of the responses. A motor that holds the surface
-    /// at its speed whatever it takes has a rotor of this inertia, kg m².
+    /// [`linear::surface_torque`] by the method of the responses. A motor that holds the surface at
+    /// its speed at any torque has a rotor of this inertia, kg m².
     ///
     /// # Errors
-    /// Where these are not the responses of a string, or the profile or the inertia is none.
+    /// Where these are not the responses of a string, or the profile or the inertia is invalid.
     pub fn new(
         responses: &Responses,
         taps: &[f64],
@@ -66,7 +66,10 @@ impl SurfaceTorque {
         }
         let channel = linear::Channel::Torsion;
         let torsion = (responses.torsion()).ok_or(ResponseError::NoChannel { channel })?;
-        let sampling = Sampling::new(responses.sampling_frequency, responses.method.moment());
+        let sampling = Sampling::new(
+            responses.sampling_frequency,
+            responses.method.collocation_offset(),
+        );
         Ok(Self {
             sampling,
             profile: profile.clone(),
@@ -79,8 +82,8 @@ impl SurfaceTorque {
         })
     }
 
-    /// The torque in every step of a motion, N m, that begins with a start and whose surface comes
-    /// to a speed (rad/s).
+    /// The torque in every step of a motion, N m, that begins with a start and whose surface
+    /// reaches a speed (rad/s).
     pub fn of(&self, surface_speed: f64, start: &Start, motion: &Trajectory) -> Vec<f64> {
         let at_start = start.steady();
         let time = |step: usize| self.sampling.time_of(step);
@@ -122,7 +125,7 @@ impl SurfaceTorque {
         self.rotor_inertia * self.profile.acceleration(self.sampling.time_of(step))
     }
 
-    /// What that comes to, with the last seconds of a motion as its closing window.
+    /// Its measures, with the last seconds of a motion as its closing window.
     pub fn measures(&self, torques: &[f64], closing_window: f64) -> SurfaceMeasures {
         SurfaceMeasures::of(torques, self.sampling, closing_window)
     }

@@ -42,7 +42,7 @@ impl System {
         Self::started(responses, &SurfaceProfile::default())
     }
 
-    /// The same for cases whose surface comes to its speed in another way.
+    /// The same for cases whose surface reaches its speed in another way.
     ///
     /// # Errors
     /// As [`System::new`], and where there is no such start.
@@ -109,8 +109,8 @@ impl System {
     }
 
     /// Of a string in pieces between its nodes, at each of which a torque may act, for cases whose
-    /// surface turns by a profile. Where a motor holds the surface at its speed whatever it takes,
-    /// it has a rotor of this inertia, kg m²: what turns that is part of its torque. A top drive of
+    /// surface turns by a profile. Where a motor holds the surface at its speed at any torque, it
+    /// has a rotor of this inertia, kg m²: what turns that is part of its torque. A top drive of
     /// the string has its own.
     ///
     /// # Errors
@@ -161,9 +161,9 @@ impl System {
 
     /// Speeds of all sites, rad/s, in a number of steps: what a start and a surface that turns at
     /// `surface_speed` (rad/s) in the end make of them and, but for sites that bear torques
-    /// themselves, the torques on the bit (N m, positive with the rotation). The motion of sites that are
-    /// only looked at follows from a bit that was simulated without them.
-    /// Nothing of a string in pieces, all sites of which are stepped.
+    /// themselves, the torques on the bit (N m, positive with the rotation). The motion of sites
+    /// that are only observed follows from a bit that was simulated without them. Empty for a
+    /// string in pieces, all sites of which are stepped.
     pub fn driven_speeds(
         &self,
         surface_speed: f64,
@@ -222,10 +222,13 @@ impl System {
 }
 
 fn sampling(responses: &Responses) -> Sampling {
-    Sampling::new(responses.sampling_frequency, responses.method.moment())
+    Sampling::new(
+        responses.sampling_frequency,
+        responses.method.collocation_offset(),
+    )
 }
 
-/// The responses in torsion of what is sound, with a start that there is.
+/// The responses in torsion, if they are valid and the start is possible.
 fn checked_torsion<'a>(
     responses: &'a Responses,
     profile: &SurfaceProfile,

@@ -19,12 +19,12 @@ const SLIP_ALLOWANCE: f64 = 2.0;
 /// swings to without loss, so that sticking lasts at most twice τ₃.
 const STICK_ALLOWANCE: f64 = 2.0;
 
-/// The ringing of the start counts as gone after so many time constants of the string's
-/// vibration: a hundredth of it is left. Until then it may recapture a bit that is going to
-/// turn on.
+/// The ringing of the start counts as gone after this number of time constants of the string's
+/// vibration: a hundredth of it is left. Until then it may recapture a bit that afterwards keeps
+/// turning.
 const START_DECAYS: f64 = 5.0;
 
-/// It is waited for no longer than so many round trips of a wave.
+/// The most round trips of a wave to wait for that.
 const MOST_ROUND_TRIPS: f64 = 40.0;
 
 /// The timing by which a case has slipped, has been recaptured
@@ -33,7 +33,7 @@ const MOST_ROUND_TRIPS: f64 = 40.0;
 ///
 /// The string winds up for τ₁, behind the surface by the travel time of a wave
 /// and by what distributed damping takes of the torque on the way, which is
-/// below c_t L / 4 per unit of surface speed. A top drive has to come to its speed first, and
+/// below c_t L / 4 per unit of surface speed. A top drive has to reach its speed first, and
 /// a slip below one lasts up to half a period of string and drive together. A surface at rest winds up nothing: the
 /// time is infinite, and no scene that lasts so long is simulated. A case that begins with a
 /// steady motion does not wait for its first slip.

@@ -3,8 +3,8 @@
 use plot::LineStyle;
 use plot::colours::{BLACK, BLUE, Colour, DARK_GREY, GREEN, ORANGE, PURPLE, RED, SKY_BLUE};
 
-/// The colours of methods, and of exact responses. Those of the four that draw limits on maps are
-/// none of the colours of their symbols.
+/// The colours of methods, and of exact responses. Those of the four that draw limits on maps
+/// differ from the colours of symbols.
 const METHODS: [(&str, Colour); 8] = [
     ("held", BLACK),
     ("quadrature", GREEN),
@@ -33,7 +33,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_method_has_its_colour_whatever_follows_its_name() {
+    fn a_method_has_its_colour_with_any_suffix() {
         assert_eq!(method_style("hilbert, γ = 0.5"), method_style("hilbert"));
         assert_eq!(method_style("recorded"), LineStyle::default());
     }

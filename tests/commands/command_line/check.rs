@@ -21,7 +21,7 @@ fn check_finds_its_own_labels() {
     assert!(place.files() == before);
 }
 
-/// Cases of one's own, of columns in any order, with a comment above.
+/// The user's own cases, of columns in any order, with a comment above.
 #[test]
 fn check_needs_few_columns_and_cases() {
     let place = with_reference();
@@ -89,8 +89,8 @@ fn check_prints_labels_that_differ() {
     );
 }
 
-/// A label that differs is told of by the limit of its own motion; where axes change the
-/// string, of which each has its own limits, by none.
+/// A label that differs is reported with the limit of its own motion; without it where axes change
+/// the string, since each string has its own limits.
 #[test]
 fn a_label_that_differs_is_measured_by_the_limit_of_its_motion() {
     let wall = "[string.bending]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 2000\n\n\
@@ -268,8 +268,8 @@ fn a_label_that_the_sweep_does_not_give_is_found_to_be_none() {
     place.write("reference.csv", with(&reference, row, &lateral.join(",")));
     let answer = place.sweep(&["check", "small.toml", "reference.csv"]);
     assert_eq!(answer.code, 5, "{answer:?}");
-    let told = "expected no_contact, found none";
-    assert!(answer.output.contains(told), "{answer:?}");
+    let reported = "expected no_contact, found none";
+    assert!(answer.output.contains(reported), "{answer:?}");
 }
 
 /// Through a spreadsheet and back.

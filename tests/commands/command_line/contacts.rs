@@ -45,11 +45,11 @@ const STUDY: [&str; 10] = [
     "short.toml",
     "--counts",
     "1,3",
-    "--knock-at",
+    "--impulse-at",
     "0,20",
-    "--knocks",
+    "--impulses",
     "4",
-    "--blows",
+    "--impulses-along",
     "400",
 ];
 
@@ -75,16 +75,16 @@ fn limits_of_more_contacts_are_bracketed_above_their_bounds_by_any_number_of_thr
     }
     is_png(&place, "one/contacts_limit.png");
     let table = table(&text(&place, "one/contacts.csv"));
-    let blows = columns(
+    let impulses = columns(
         &table,
         ["contacts", "spacing_m", "blow", "knocked_at_m", "note"],
     );
     let expected = [["1", "40"], ["3", "13.333333333333334"]].map(|count| {
         [["knock", "0"], ["knock", "20"], ["along", ""]]
-            .map(|blow| [count[0], count[1], blow[0], blow[1], ""].map(str::to_owned))
+            .map(|it| [count[0], count[1], it[0], it[1], ""].map(str::to_owned))
     });
-    assert_eq!(blows, expected.concat());
-    // The blows are the same however many contacts there are.
+    assert_eq!(impulses, expected.concat());
+    // The impulses are the same for any number of contacts.
     let amounts = columns(&table, ["impulse_n_s"]);
     assert_eq!(amounts[..3], amounts[3..]);
     assert_eq!(amounts[2], ["16000".to_owned()]);
@@ -114,11 +114,11 @@ fn a_run_has_the_labels_that_the_study_brackets() {
     let study = [
         "--counts",
         "1",
-        "--knock-at",
+        "--impulse-at",
         "0",
-        "--knocks",
+        "--impulses",
         "4",
-        "--blows",
+        "--impulses-along",
         "400",
     ];
     let rest = ["--quiet", "--out", "study"];
@@ -134,13 +134,13 @@ fn a_run_has_the_labels_that_the_study_brackets() {
         panic!("{table:?}");
     };
     let [amount, does_not, whirls] = row;
-    let knocked = SHORT.replace("ratio = 3", &format!("amount_ns = {amount}"));
+    let driven = SHORT.replace("ratio = 3", &format!("amount_ns = {amount}"));
     place.write(
-        "knocked.toml",
-        knocked.replace("[0.5]", &format!("[{does_not}, {whirls}]")),
+        "driven.toml",
+        driven.replace("[0.5]", &format!("[{does_not}, {whirls}]")),
     );
     // With a warning of its fronts, which are in torsion.
-    let run = place.sweep(&["run", "knocked.toml", "--out", "run"]);
+    let run = place.sweep(&["run", "driven.toml", "--out", "run"]);
     assert_eq!(run.code, 0, "{run:?}");
     let labels = super::labels(&place, "run", ["lateral"]);
     assert_eq!(labels.concat(), ["transient_contact", "backward_whirl"]);
@@ -226,8 +226,8 @@ fn what_cannot_be_asked_of_a_string_is_refused() {
         ),
         (&["short.toml", "--from-m", "nan"], &["from NaN m"]),
         (
-            &["short.toml", "--knock-at", "40"],
-            &["a knock 40 m from the bit"],
+            &["short.toml", "--impulse-at", "40"],
+            &["an impulse 40 m from the bit"],
         ),
         (
             &["short.toml", "--set", "friction=1"],

@@ -50,7 +50,7 @@ fn labels_of_list(cases: &str) -> String {
 }
 
 #[test]
-fn a_list_is_run_in_its_own_order_whatever_that_of_its_columns() {
+fn a_list_is_run_in_its_own_order_for_any_order_of_columns() {
     let labels = labels_of_list("surface_speed_rpm,weight_on_bit_kn\n0.5,40\n0.1,60\n0.1,60\n");
     let values = columns(
         &table(&labels),
@@ -113,7 +113,7 @@ fn a_base_is_changed_key_by_key_but_its_design_as_a_whole() {
 }
 
 #[test]
-fn a_list_is_looked_for_beside_the_file_that_names_it() {
+fn a_list_is_looked_for_next_to_the_file_that_names_it() {
     let place = Workplace::new();
     std::fs::create_dir(place.path("bases")).unwrap();
     let design = "[design]\nkind = \"list\"\nfile = \"cases.csv\"\n";

@@ -20,10 +20,10 @@ fn whirl() -> Workplace {
 fn contacts_are_those_of_the_history() {
     let place = whirl();
     let answer = succeeds(&place, &["simulate", "small.toml", "--out", "case"]);
-    let told = answer.output.replace("\n    ", " ");
+    let reported = answer.output.replace("\n    ", " ");
     for method in ["finite-element", "quadrature"] {
         assert!(
-            told.contains(&format!("{method}: the string goes ")),
+            reported.contains(&format!("{method}: the string goes ")),
             "{answer:?}"
         );
     }
@@ -126,7 +126,7 @@ fn a_film_is_drawn_of_the_first_method_and_is_the_same_again() {
 }
 
 #[test]
-fn a_film_that_cannot_be_is_refused() {
+fn an_impossible_film_is_refused() {
     let film = ["simulate", "small.toml", "--out", "case", "--film"];
     let with = |options: &[&'static str]| [&film[..], options].concat();
     let bends_not = Workplace::with_small(SMALL);

@@ -11,7 +11,7 @@ fn undamped(text: &str) -> String {
 }
 
 #[test]
-fn whatever_methods_the_file_has_others_run() {
+fn other_methods_replace_those_of_the_file() {
     let unknown = with(SMALL, OWN, "methods = [\"quadratur\"]");
     let none = with(SMALL, OWN, "methods = []");
     let no_list = with(SMALL, OWN, "methods = \"quadrature\"");
@@ -29,7 +29,7 @@ fn whatever_methods_the_file_has_others_run() {
 }
 
 #[test]
-fn the_methods_asked_for_are_looked_at_as_the_file_s_are() {
+fn the_methods_asked_for_are_checked_as_the_file_s_are() {
     let place = Workplace::with_small(&undamped(SMALL));
     for command in ["run", "simulate", "inspect"] {
         refused(
@@ -43,10 +43,10 @@ fn the_methods_asked_for_are_looked_at_as_the_file_s_are() {
     }
 }
 
-/// Whatever runs: finite elements draw the whole string, and all of them are written down
-/// with the results.
+/// Also of methods that do not run: finite elements draw the whole string, and all of them are
+/// written down with the results.
 #[test]
-fn the_parameters_of_every_method_are_looked_at() {
+fn the_parameters_of_every_method_are_checked() {
     for (parameter, key) in [
         (
             "[method.finite-element]\ngamma = 2.0",

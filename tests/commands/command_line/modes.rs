@@ -89,7 +89,7 @@ fn modes_are_those_of_a_uniform_string() {
             "{row:?} {expected}"
         );
     }
-    // Every meeting in the range, and none besides.
+    // Every meeting in the range, and no other.
     let critical = rows(&place, "looked/critical_speeds.csv");
     let mut expected = 0;
     for order in [1.0, 2.0] {

@@ -4,8 +4,8 @@ use crate::command_line::{RESULTS, labels, manifest, names, names_in, run, succe
 use crate::refusals::refused;
 use crate::support::{Workplace, with};
 
-/// Every block of settings that is switched off, by its first line, and the pieces
-/// it stands in for or needs beside it.
+/// Every block of settings that is switched off, by its first line, and the pieces that it replaces
+/// or needs.
 const SWITCHED_OFF: [(&str, Change); 12] = [
     ("units = \"field\"", Change::Nothing),
     ("surface_torque = true", Change::Nothing),
@@ -23,14 +23,14 @@ const SWITCHED_OFF: [(&str, Change); 12] = [
     ),
     ("rock = \"law\"", Change::Instead("\nrock = \"sandstone\"")),
     ("[wall]", Change::Nothing),
-    ("[[impulses]]", Change::Besides("[wall]")),
-    ("[[eccentric_masses]]", Change::Besides("[wall]")),
+    ("[[impulses]]", Change::Needs("[wall]")),
+    ("[[eccentric_masses]]", Change::Needs("[wall]")),
 ];
 
 enum Change {
     Nothing,
     Instead(&'static str),
-    Besides(&'static str),
+    Needs(&'static str),
 }
 
 /// The file as it is written.
@@ -98,7 +98,7 @@ fn every_setting_that_is_switched_off_can_be_used() {
         is_valid(&match change {
             Change::Nothing => switch_on(&file, first),
             Change::Instead(piece) => with(&switch_on(&file, first), &format!("{piece}\n"), "\n"),
-            Change::Besides(other) => switch_on(&switch_on(&file, other), first),
+            Change::Needs(other) => switch_on(&switch_on(&file, other), first),
         });
     }
     let (start, end) = (
@@ -110,7 +110,7 @@ fn every_setting_that_is_switched_off_can_be_used() {
     let blocks = file
         .split("\n\n")
         .filter(|block| block.lines().any(is_switched_off));
-    // The random points besides.
+    // And the random points.
     assert_eq!(blocks.count(), SWITCHED_OFF.len() + 1);
 }
 
@@ -151,15 +151,15 @@ fn a_file_that_is_there_is_kept_unless_forced() {
 #[test]
 fn the_commands_for_a_new_file_can_be_given_as_they_are() {
     let place = Workplace::new();
-    let told = succeeds(&place, &["new", "my sweep.toml"]).output;
+    let reported = succeeds(&place, &["new", "my sweep.toml"]).output;
     for command in ["inspect", "run"] {
         let line = format!("\n  sweep {command} 'my sweep.toml'\n");
-        assert!(told.contains(&line), "{told}");
+        assert!(reported.contains(&line), "{reported}");
     }
 }
 
 #[test]
-fn every_shell_and_man_can_be_told_every_command() {
+fn every_shell_and_man_get_every_command() {
     let place = Workplace::new();
     let help = succeeds(&place, &["--help"]).output;
     let commands = help.split("Commands:\n").nth(1).unwrap().lines();

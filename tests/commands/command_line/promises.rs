@@ -3,7 +3,7 @@
 use super::{columns, table, text};
 use crate::support::Workplace;
 
-/// What is looked at of a promise.
+/// The columns compared of a promise.
 const COLUMNS: [&str; 8] = [
     "motion",
     "string",
@@ -46,8 +46,8 @@ fn promises_are_kept() {
     assert!(far <= 1, "{far}");
 }
 
-/// A uniform string, which is refused, and one with a collar: all is as the study has it,
-/// whoever asks.
+/// A uniform string, which is refused, and one with a collar: all is as the study has it, in any
+/// run.
 #[test]
 fn promises_are_put_to_the_test_alike_by_any_number_of_threads() {
     let place = Workplace::new();
@@ -64,8 +64,8 @@ fn promises_are_put_to_the_test_alike_by_any_number_of_threads() {
         ];
         place.sweep(&[&study[..], &["--out", out, "--jobs", jobs]].concat())
     };
-    let told = run("one", "1");
-    assert_eq!(told.code, 0, "{told:?}");
+    let reported = run("one", "1");
+    assert_eq!(reported.code, 0, "{reported:?}");
     assert_eq!(run("two", "2").code, 0);
     let csv = text(&place, "one/promises.csv");
     assert_eq!(csv, text(&place, "two/promises.csv"));
@@ -83,10 +83,10 @@ fn promises_are_put_to_the_test_alike_by_any_number_of_threads() {
     }
     let tested = found.iter().filter(|row| !row[7].is_empty()).count();
     let line = format!("stick_slip: {tested} promises tested, 0 broken");
-    assert!(told.output.starts_with(&line), "{}", told.output);
+    assert!(reported.output.starts_with(&line), "{}", reported.output);
 }
 
-/// What is looked at of a label that was put to the test.
+/// The columns compared of a label that was tested.
 const LABEL: [&str; 6] = [
     "motion",
     "string",
@@ -125,7 +125,7 @@ fn labels_that_are_certain_are_seldom_wrong() {
         assert!(cases >= 150 && 10 * wrong < certain, "{line}");
         assert!(others_wrong * certain > 2 * wrong * of_others, "{line}");
     }
-    // Whoever asks finds the same.
+    // Another run finds the same.
     let place = Workplace::new();
     let asked = [
         "study",
@@ -138,8 +138,8 @@ fn labels_that_are_certain_are_seldom_wrong() {
     ];
     let answer = place.sweep(&[&asked[..], &["--motion", "whirl", "--out", "one"]].concat());
     assert_eq!(answer.code, 0, "{answer:?}");
-    let told = "whirl: 6 cases near limits; certain: 0 of 6 wrong";
-    assert!(answer.output.starts_with(told), "{answer:?}");
+    let reported = "whirl: 6 cases near limits; certain: 0 of 6 wrong";
+    assert!(answer.output.starts_with(reported), "{answer:?}");
     let found = columns(&table(&text(&place, "one/labels.csv")), LABEL);
     let known = study.iter().filter(|row| row[0] == "whirl");
     for (found, known) in found.iter().zip(known) {
@@ -150,7 +150,7 @@ fn labels_that_are_certain_are_seldom_wrong() {
     }
 }
 
-/// What is looked at of a limit at the default sampling frequency.
+/// The columns compared of a limit at the default sampling frequency.
 const LIMIT: [&str; 6] = [
     "string",
     "family",

@@ -37,13 +37,13 @@ fn a_case_next_to_a_limit_is_dropped_and_no_other() {
             list += &format!("{},{}\n", speed * speed_times, weight * weight_times);
         }
     }
-    place.write("beside.csv", list);
-    let design = "base = \"small.toml\"\n[design]\nkind = \"list\"\nfile = \"beside.csv\"\n";
-    place.write("beside.toml", design);
-    run(&place, "beside.toml", "beside");
-    let beside = columns(&table(&text(&place, "beside/labels.csv")), ["torsion"]);
+    place.write("neighbours.csv", list);
+    let design = "base = \"small.toml\"\n[design]\nkind = \"list\"\nfile = \"neighbours.csv\"\n";
+    place.write("neighbours.toml", design);
+    run(&place, "neighbours.toml", "neighbours");
+    let neighbours = columns(&table(&text(&place, "neighbours/labels.csv")), ["torsion"]);
     let expected: BTreeSet<usize> = (0..rows.len())
-        .filter(|&case| (0..4).all(|side| beside[4 * case + side][0] == rows[case][0]))
+        .filter(|&case| (0..4).all(|side| neighbours[4 * case + side][0] == rows[case][0]))
         .collect();
     let answer = succeeds(&place, &["reference", "results", "--margin", "10%"]);
     let reference = text(&place, "results/reference.csv");

@@ -7,7 +7,7 @@ use crate::support::{SMALL, Workplace, with};
 
 const LENGTH: f64 = 100.0;
 
-/// A uniform pipe of 100 m, looked at and turned at its lower end.
+/// A uniform pipe of 100 m, observed and turned at its lower end.
 fn uniform() -> String {
     let (before, rest) = SMALL.split_once("[[string.sections]]").unwrap();
     let (_, after) = rest.split_once("]\n\n").unwrap();
@@ -79,7 +79,7 @@ fn tables_of_responses_agree_with_one_another_and_with_a_uniform_bar() {
     }
 }
 
-/// A force of a wall at a site of its own, and a torque of the bit: each with its unit.
+/// A force of a wall at a separate site, and a torque of the bit: each with its unit.
 #[test]
 fn every_response_of_a_scene_is_there_with_its_unit() {
     let wall = "[string.bending]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 2000\n\n\

@@ -10,8 +10,7 @@ use crate::command_line::{
 use crate::refusals::refused;
 use crate::support::{SMALL, Workplace, small_with_design, with};
 
-/// Between the nodes of the mesh, so that finite elements get another mesh where it is
-/// looked at.
+/// Between the nodes of the mesh, so that finite elements get another mesh where it is observed.
 const WATCHED: &str = "distance_from_bit_m = 53.3";
 
 fn watched(text: &str) -> String {
@@ -22,8 +21,8 @@ fn by_methods(text: &str, methods: &str) -> String {
     with(text, "methods = [\"quadrature\"]", methods)
 }
 
-/// Every row of a run is that of its case simulated, alone by its own method and, with
-/// all methods, beside the others.
+/// Every row of a run is that of its case simulated, alone by its own method and, with all methods,
+/// together with the others.
 #[track_caller]
 fn each_row_is_its_case(place: &Workplace, file: &str, terms: &[&str], by_accuracy: bool) {
     let answer = place.sweep(&[&["run", file, "--out", "run", "--quiet"], terms].concat());
@@ -55,7 +54,7 @@ fn each_row_is_its_case(place: &Workplace, file: &str, terms: &[&str], by_accura
 }
 
 #[test]
-fn a_place_that_is_looked_at_changes_no_number() {
+fn a_place_that_is_observed_changes_no_number() {
     let methods = "methods = [\"quadrature\", \"finite-element\"]";
     let place = Workplace::with_small(&by_methods(&watched(SMALL), methods));
     each_row_is_its_case(&place, "small.toml", &[], false);
@@ -115,9 +114,9 @@ fn an_accuracy_chooses_for_one_case_what_it_chose_for_all() {
 }
 
 /// Whirl that has settled ends a run's case, and its measures are those of that
-/// instant; the history goes on, and what it comes to is told beside them.
+/// instant; the history continues, and its later values are reported next to them.
 #[test]
-fn whirl_that_a_run_ends_early_is_that_of_the_run_and_its_later_numbers_are_told() {
+fn whirl_that_a_run_ends_early_is_that_of_the_run_and_its_later_numbers_are_reported() {
     let base = format!("{}/../../sweeps/academic.toml", env!("CARGO_MANIFEST_DIR"));
     let sweep = format!(
         "base = \"{base}\"\nmethods = [\"quadrature\"]\n\
@@ -176,7 +175,7 @@ pub fn with_chattering_string() -> String {
 }
 
 #[test]
-fn the_command_of_a_failure_repeats_it_whatever_the_name_of_the_file() {
+fn the_command_of_a_failure_repeats_it_with_any_file_name() {
     let quoted = "it's a $HOME of \"sweeps\".toml";
     for name in ["-dash.toml", quoted, "plain.toml"] {
         let place = Workplace::new();

@@ -64,7 +64,7 @@ fn simulate_picks_a_case_and_sets_its_axes() {
 }
 
 #[test]
-fn several_cases_are_kept_beside_each_other() {
+fn several_cases_are_kept_together() {
     let place = Workplace::with_small(SMALL);
     let arguments = ["simulate", "small.toml", "--out", "case", "--case", "5,0,5"];
     let answer = succeeds(&place, &arguments);
@@ -82,7 +82,7 @@ fn several_cases_are_kept_beside_each_other() {
 
 /// Where the time follows from the case, each is drawn and kept for as long as it lasts.
 #[test]
-fn cases_of_different_length_are_kept_beside_each_other() {
+fn cases_of_different_length_are_kept_together() {
     // From rest they wait for their first slip, the longer the slower the surface turns.
     let place = Workplace::with_small(&with(SMALL, "time_s = 12\n", "start = \"ramp\"\n"));
     let steps = |cases: &str| {
@@ -250,7 +250,7 @@ fn columns_are_what_their_words_say_of_the_motion() {
     assert!(greatest(&speed[from..]) > 1.5 * found);
 }
 
-/// The numbers of a table, by column; what is none is not a number.
+/// The numbers of a table, by column; NaN for other fields.
 fn numbers_of(text: &str) -> std::collections::BTreeMap<String, Vec<f64>> {
     let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let header = lines.next().unwrap();

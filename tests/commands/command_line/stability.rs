@@ -31,8 +31,8 @@ fn a_part_of_the_atlas_is_written_the_same_by_any_number_of_threads() {
     is_png(&place, "one/stability.png");
 }
 
-/// Where joints meet collars steps that are longer than a joint smear what it sends back: a step in
-/// which fronts are exact has the limit, and where they overshoot none has.
+/// Where joints meet collars steps that are longer than a joint smear its reflection: a step in
+/// which fronts are exact has the limit, and with overshooting fronts no step has it.
 #[test]
 fn the_limit_of_a_string_with_joints_and_collars_takes_short_steps_of_exact_fronts() {
     let place = Workplace::new();
@@ -83,7 +83,7 @@ fn the_atlas_tells_how_often_its_margins_were_right() {
         "--out",
         "atlas",
     ];
-    // Progress may be told on the other stream.
+    // Progress may be reported on the other stream.
     let answer = place.sweep(&arguments);
     assert_eq!(answer.code, 0, "{answer:?}");
     let answer = answer.output;

@@ -84,7 +84,7 @@ fn a_reader_who_leaves_early_is_no_error() {
 }
 
 #[test]
-fn nobody_to_complain_to_changes_no_exit_code() {
+fn a_closed_error_stream_changes_no_exit_code() {
     let place = Workplace::with_small(&with(SMALL, "time_s = 12", "time_s = -12"));
     let mut child = place
         .command(&["run", "small.toml"])
@@ -125,7 +125,7 @@ fn nothing_of_a_foreign_folder_steers_the_terminal() {
     let evil = "\u{1b}[2J\u{9b}31m\u{7}\u{202e}gnp";
     let mut manifest = crate::command_line::manifest(&place, "results");
     manifest["title"] = evil.into();
-    // Whoever changes labels may leave out their checksums.
+    // A user who changes labels may leave out their checksums.
     manifest.as_object_mut().unwrap().remove("files").unwrap();
     place.write("results/manifest.json", manifest.to_string());
     place.write(

@@ -129,7 +129,7 @@ fn is_for_people(answer: &Answer) {
                 "rows",
                 "labels",
                 "simulations",
-                "taps",
+                "steps",
                 "sticks",
             ];
             let is_plural = pair[0] == "1" && plurals.contains(&thing);
@@ -196,7 +196,7 @@ fn words_and_numbers_are_for_people() {
 }
 
 #[test]
-fn whirl_is_told_in_as_many_columns() {
+fn whirl_is_described_in_as_many_columns() {
     let whirl = format!(
         "base = \"{}/../../sweeps/academic.toml\"\nmethods = [\"quadrature\"]\n\
          [wall]\nclearance_mm = 15\nfriction = 2\n[[sites]]\ndistance_from_bit_m = 0\n\

@@ -1,4 +1,4 @@
-//! A signal ends every command soon, whatever it is at: building, choosing for an
+//! A signal ends every command soon, in any phase: building, choosing for an
 //! accuracy, a long case, a study.
 
 use std::io::{BufRead, BufReader};
@@ -94,7 +94,7 @@ fn a_long_case_holds_no_signal_up_and_is_run_again() {
     sleep(Duration::from_millis(500));
     signal(&child, "TERM");
     let errors = was_stopped(child, 143);
-    let meant = "stopped: 0 of 6 simulations are done and kept in long: the same command goes on";
+    let meant = "stopped: 0 of 6 simulations are done and kept in long: the same command continues";
     assert!(errors.contains(meant), "{errors}");
     let dry = place.sweep(&[&run[..], &["--dry-run"]].concat());
     assert!(dry.output.contains("6 of 6 simulations left"), "{dry:?}");
@@ -121,7 +121,7 @@ fn choosing_for_an_accuracy_tells_what_it_tries_and_can_be_stopped() {
     let reader = spawn(move || {
         for line in errors.lines() {
             let event: serde_json::Value = serde_json::from_str(&line.unwrap()).unwrap();
-            // Nobody listens any more after the first.
+            // The receiver takes only the first.
             let _ = send.send(event);
         }
     });

@@ -43,7 +43,7 @@ fn a_full_disk_loses_nothing() {
             errors.contains("results/cases.log cannot be written"),
             "{errors}"
         );
-        assert!(errors.contains("the same command goes on"), "{errors}");
+        assert!(errors.contains("the same command continues"), "{errors}");
         let done = logged(&place, "results");
         assert!(done > before, "{done} after {before}");
         assert!(errors.contains(&format!("{done} of 600")), "{errors}");
@@ -56,7 +56,7 @@ fn a_full_disk_loses_nothing() {
     same_tables(&place, "whole", "results");
 }
 
-/// Whoever runs this, the folder is not theirs to write.
+/// The folder is not writable for any user who runs this.
 #[test]
 fn the_folder_of_someone_else_is_an_error() {
     let place = Workplace::with_small(&long());

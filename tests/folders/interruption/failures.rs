@@ -47,7 +47,7 @@ fn failed_cases_are_kept_aside_with_reason_and_command() {
 }
 
 #[test]
-fn fail_fast_stops_at_the_first_and_goes_on_without_it() {
+fn fail_fast_stops_at_the_first_and_continues_without_it() {
     let place = Workplace::with_small(&with_impossible_string());
     for meant in [
         "case 6 by quadrature has no answer",
@@ -65,13 +65,13 @@ fn fail_fast_stops_at_the_first_and_goes_on_without_it() {
 }
 
 #[test]
-fn a_dry_run_counts_the_strings_and_those_that_cannot_be() {
+fn a_dry_run_counts_the_strings_and_the_invalid_ones() {
     let place = Workplace::with_small(&with_impossible_string());
     let answer = run(&place, &["--dry-run"]);
     for words in [
         "18 of 18 simulations left: from the beginning",
         "3 distinct strings, each built once",
-        "1 of them cannot be",
+        "1 strings are invalid",
     ] {
         assert!(answer.output.contains(words), "{answer:?}");
     }

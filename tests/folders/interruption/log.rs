@@ -11,7 +11,7 @@ fn stopped(lines: usize) -> (Workplace, String) {
     let place = Workplace::with_small(&failing_last(&long()));
     let answer = place.sweep(&["run", "small.toml", "--full", "--out", "whole"]);
     assert_eq!(answer.code, 3, "{answer:?}");
-    // A run that stops at its last cases, which cannot be.
+    // A run that stops at its last cases, whose strings are invalid.
     let answer = place.sweep(&[&RUN[..], &["--fail-fast", "--jobs", "1"]].concat());
     assert_eq!(answer.code, 1, "{answer:?}");
     let log = std::fs::read_to_string(place.path("results/cases.log")).unwrap();
@@ -34,7 +34,7 @@ fn failing_last(text: &str) -> String {
 }
 
 #[track_caller]
-fn goes_on(place: &Workplace, log: &[u8], warns: bool) {
+fn continues(place: &Workplace, log: &[u8], warns: bool) {
     place.write("results/cases.log", log);
     let answer = place.sweep(&RUN);
     assert_eq!(answer.code, 3, "{answer:?}");
@@ -46,17 +46,17 @@ fn goes_on(place: &Workplace, log: &[u8], warns: bool) {
 }
 
 #[test]
-fn a_torn_log_goes_on_from_its_last_whole_line() {
+fn a_torn_log_continues_from_its_last_whole_line() {
     let (place, log) = stopped(20);
-    goes_on(&place, log.as_bytes(), false);
+    continues(&place, log.as_bytes(), false);
     let last = log.trim_end().rfind('\n').unwrap() + 1;
     for cut in [last + 1, last + 9, log.len() - 2, log.len() - 1] {
-        goes_on(&place, &log.as_bytes()[..cut], true);
+        continues(&place, &log.as_bytes()[..cut], true);
     }
     // Torn in the header: nothing is done yet.
     let header = log.find('\n').unwrap();
     for cut in [0, 1, header / 2, header] {
-        goes_on(&place, &log.as_bytes()[..cut], false);
+        continues(&place, &log.as_bytes()[..cut], false);
     }
 }
 
@@ -68,14 +68,14 @@ fn damaged_lines_are_run_again() {
     assert_ne!(damaged, lines[7]);
     let mut text = lines.clone();
     text[7] = &damaged;
-    goes_on(&place, text.concat().as_bytes(), true);
+    continues(&place, text.concat().as_bytes(), true);
     // What a disk may leave after the power went.
     let zeros = [log.as_bytes(), &[0; 512]].concat();
-    goes_on(&place, &zeros, true);
+    continues(&place, &zeros, true);
     let noise: Vec<u8> = (0..2000u32).map(|n| (n * n % 251) as u8).collect();
-    goes_on(&place, &[log.as_bytes(), &noise].concat(), true);
+    continues(&place, &[log.as_bytes(), &noise].concat(), true);
     // The same line twice is one case.
-    goes_on(&place, (log.clone() + lines[5]).as_bytes(), false);
+    continues(&place, (log.clone() + lines[5]).as_bytes(), false);
 }
 
 #[test]
@@ -135,7 +135,7 @@ fn a_log_of_another_program_is_refused() {
 }
 
 #[test]
-fn a_changed_sweep_does_not_go_on_and_a_changed_title_does() {
+fn a_changed_sweep_does_not_continue_and_a_changed_title_does() {
     let place = Workplace::with_small(&long());
     finishes(&place, &RUN);
     let before = std::fs::read(place.path("results/labels.csv")).unwrap();

@@ -17,7 +17,7 @@ fn random(cases: usize) -> String {
     with(&small_with_design(&design), "[\"quadrature\"]", methods)
 }
 
-/// Runs so many random cases into a folder.
+/// Runs a number of random cases into a folder.
 #[track_caller]
 fn run(place: &Workplace, cases: usize, folder: &str, more: &[&str]) -> Answer {
     place.write("small.toml", random(cases));
@@ -261,7 +261,7 @@ fn records_that_are_not_what_was_written_are_not_raised() {
     let files = manifest["files"].as_object_mut().unwrap();
     files.remove("records.jsonl.gz").unwrap();
     place.write("results/manifest.json", manifest.to_string());
-    refused("results holds no records.jsonl.gz, by which it could go on");
+    refused("results holds no records.jsonl.gz, from which it could continue");
 }
 
 /// A line of it is a record, whose numbers are those of the case to the last bit.

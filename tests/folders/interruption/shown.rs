@@ -32,7 +32,7 @@ fn counted(summary: &str, method: &str) -> usize {
 }
 
 #[test]
-fn a_stopped_run_is_shown_as_far_as_it_is_and_goes_on() {
+fn a_stopped_run_is_shown_as_far_as_it_is_and_continues() {
     let place = Workplace::with_small(&long());
     let mut child = start(&place, &RUN);
     wait_for_rows(&place, "stopped", 60);
@@ -49,8 +49,8 @@ fn a_stopped_run_is_shown_as_far_as_it_is_and_goes_on() {
     let summary = finishes(&place, &["summary", "stopped"]).output;
     assert!(summary.starts_with(&format!("small: A small sweep ({so_far})\n")));
     let words: Vec<&str> = summary.split_whitespace().collect();
-    let told = format!("It is {so_far} are done");
-    assert!(words.join(" ").contains(&told), "{summary}");
+    let reported = format!("It is {so_far} are done");
+    assert!(words.join(" ").contains(&reported), "{summary}");
     for method in ["quadrature", "finite-element"] {
         assert_eq!(counted(&summary, method), whole_cases(&place), "{summary}");
     }

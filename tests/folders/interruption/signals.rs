@@ -89,7 +89,7 @@ fn the_same_bytes_on_one_two_and_seven_threads() {
 }
 
 #[test]
-fn asked_to_stop_a_run_keeps_what_is_done_and_says_how_to_go_on() {
+fn asked_to_stop_a_run_keeps_what_is_done_and_says_how_to_continue() {
     let place = Workplace::with_small(&long());
     for (name, code) in [("INT", 130), ("TERM", 143)] {
         let before = match place.path("stopped/cases.log").exists() {
@@ -104,7 +104,7 @@ fn asked_to_stop_a_run_keeps_what_is_done_and_says_how_to_go_on() {
         assert_eq!(output.status.code(), Some(code), "{errors}");
         let errors = without_smeared_fronts(&errors);
         assert!(errors.starts_with("stopped: "), "{errors}");
-        assert!(errors.contains("the same command goes on"), "{errors}");
+        assert!(errors.contains("the same command continues"), "{errors}");
         let done = logged(&place, "stopped");
         assert!(errors.contains(&format!("{done} of 600")), "{errors}");
         // What the run is shown by does not change, and is said once.
@@ -112,7 +112,7 @@ fn asked_to_stop_a_run_keeps_what_is_done_and_says_how_to_go_on() {
         assert_eq!(log.matches("\tsweep-run\t").count(), 1);
         let dry = finishes(&place, &[&RUN[..], &["--dry-run"]].concat());
         let left = format!(
-            "{} of 600 simulations left: a stopped run goes on",
+            "{} of 600 simulations left: a stopped run continues",
             600 - done
         );
         assert!(dry.output.contains(&left), "{dry:?}");

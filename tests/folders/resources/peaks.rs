@@ -9,15 +9,15 @@ use crate::support::{SMALL, Workplace, small_with_design, with};
 
 const MIB: f64 = 1024.0 * 1024.0;
 
-/// The estimate is at most so many times the real peak, beyond what small runs take.
+/// The estimate is at most this multiple of the real peak, beyond what small runs take.
 const MOST: f64 = 3.5;
 const SMALL_RUN: f64 = 80.0 * MIB;
 
 /// What a command would take, bytes, as its refusal says.
 pub fn estimate(place: &Workplace, command: &str) -> f64 {
     let answer = place.sweep(&[command, "small.toml", "--memory", "1M"]);
-    let told = answer.errors.split("would take ").nth(1);
-    size(told.unwrap_or_else(|| panic!("{answer:?}")))
+    let reported = answer.errors.split("would take ").nth(1);
+    size(reported.unwrap_or_else(|| panic!("{answer:?}")))
 }
 
 /// The amount of memory that a text begins with, bytes.
@@ -63,15 +63,15 @@ fn holds(command: &str, text: &str) {
     let Some(peak) = peak(&place, &arguments) else {
         return;
     };
-    let [told, took] = [estimate / MIB, peak / MIB];
+    let [reported, took] = [estimate / MIB, peak / MIB];
     assert!(
         estimate >= peak,
-        "{command}: {told:.0} MiB told, {took:.0} taken\n{text}"
+        "{command}: {reported:.0} MiB estimated, {took:.0} taken\n{text}"
     );
     let most = SMALL_RUN + MOST * peak;
     assert!(
         estimate <= most,
-        "{command}: {told:.0} MiB told, {took:.0} taken\n{text}"
+        "{command}: {reported:.0} MiB estimated, {took:.0} taken\n{text}"
     );
 }
 
@@ -80,7 +80,7 @@ fn by(method: &str, text: &str) -> String {
 }
 
 #[test]
-fn no_run_takes_more_memory_than_it_was_told_to() {
+fn no_run_takes_more_memory_than_its_limit() {
     let long = with(&small_with_design(""), "time_s = 12", "time_s = 30000");
     let long = with(
         &long,
@@ -134,7 +134,7 @@ fn a_run_that_sees_dependences_takes_no_more_memory_than_it_says() {
 }
 
 #[test]
-fn no_history_or_look_takes_more_memory_than_it_was_told_to() {
+fn no_history_or_look_takes_more_memory_than_its_limit() {
     let torsion = with(SMALL, "time_s = 12", "time_s = 3000");
     holds("simulate", &torsion);
     holds("inspect", &torsion);
@@ -144,7 +144,7 @@ fn no_history_or_look_takes_more_memory_than_it_was_told_to() {
 }
 
 #[test]
-fn a_fine_mesh_takes_no_more_memory_than_it_was_told_to() {
+fn a_fine_mesh_takes_no_more_memory_than_its_limit() {
     let elements = "\n[method.finite-element]\nelements_per_cell = 2000\n";
     let torsion = with(&by("finite-element", SMALL), "time_s = 12", "time_s = 1");
     holds("run", &(torsion + elements));

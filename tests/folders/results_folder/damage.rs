@@ -62,8 +62,8 @@ fn what_follows_from_the_labels_is_made_again() {
             damage(&place, &path, change);
             let before = place.files();
             let plan = succeeds(&place, &[&RUN[..], &["--dry-run"]].concat());
-            let told = format!("would be made again: {path} is ");
-            assert!(plan.output.contains(&told), "{plan:?}");
+            let reported = format!("would be made again: {path} is ");
+            assert!(plan.output.contains(&reported), "{plan:?}");
             assert!(place.files() == before);
             if name.ends_with(".csv") {
                 let words = [path.as_str(), "the same `sweep run` as before"];
@@ -73,8 +73,11 @@ fn what_follows_from_the_labels_is_made_again() {
             }
             let answer = place.sweep(&RUN);
             assert_eq!(answer.code, 0, "{answer:?}");
-            let told = answer.errors.starts_with(&format!("warning: {path} is "));
-            assert!(told && answer.errors.contains("made again"), "{answer:?}");
+            let reported = answer.errors.starts_with(&format!("warning: {path} is "));
+            assert!(
+                reported && answer.errors.contains("made again"),
+                "{answer:?}"
+            );
             assert!(read(&place, &path) == whole, "{name}");
             let again = succeeds(&place, &RUN);
             assert!(again.output.starts_with("complete already"), "{again:?}");

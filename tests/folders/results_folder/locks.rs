@@ -27,7 +27,7 @@ fn library(place: &Workplace, error: &str) -> PathBuf {
 }
 
 #[test]
-fn a_file_system_without_locks_is_told_and_the_run_goes_on() {
+fn a_file_system_without_locks_is_warned_of_and_the_run_continues() {
     let place = Workplace::with_small(SMALL);
     succeeds(&place, &["run", "small.toml", "--out", "whole"]);
     // Of a kernel, of a network file system, of a file system.

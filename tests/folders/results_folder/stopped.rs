@@ -7,8 +7,8 @@ use std::process::Command;
 use crate::results_folder::{FILES, RUN, copy, read, run_shards, succeeds, with_results};
 use crate::support::Workplace;
 
-/// What files of so many bytes stop: the log's header, a table, the manifest, a
-/// picture, a page.
+/// Limits of file size, in bytes, that stop different files: the log's header, a table, the
+/// manifest, a picture, a page.
 const LIMITS: [usize; 6] = [512, 1024, 2048, 4096, 16 << 10, 64 << 10];
 
 /// Whether a command was stopped when it wrote a file larger than the limit, with its reason.
@@ -26,8 +26,8 @@ fn is_stopped(place: &Workplace, limit: usize, arguments: &[&str]) -> bool {
         .output()
         .unwrap();
     let errors = String::from_utf8_lossy(&output.stderr);
-    let is_told = output.status.code() == Some(1) && errors.contains("File too large");
-    assert!(output.status.success() || is_told, "{output:?}");
+    let is_reported = output.status.code() == Some(1) && errors.contains("File too large");
+    assert!(output.status.success() || is_reported, "{output:?}");
     !output.status.success()
 }
 
@@ -51,7 +51,7 @@ fn same(place: &Workplace, one: &str, other: &str) {
 
 /// A line of the log may be torn.
 #[track_caller]
-fn goes_on(place: &Workplace, run: &[&str]) {
+fn continues(place: &Workplace, run: &[&str]) {
     let answer = place.sweep(run);
     assert_eq!(answer.code, 0, "{answer:?}");
 }
@@ -63,12 +63,12 @@ fn a_run_stopped_in_any_file_leaves_nothing() {
         let run = ["run", "small.toml", "--out", "other"];
         assert!(is_stopped(&place, limit, &run), "{limit}");
         assert_eq!(left(&place, "other"), [""; 0], "{limit}");
-        goes_on(&place, &run);
+        continues(&place, &run);
         same(&place, "results", "other");
         // Stopped again, from nothing, over results.
         let fresh = [&run[..], &["--fresh"]].concat();
         assert!(is_stopped(&place, limit, &fresh), "{limit}");
-        goes_on(&place, &run);
+        continues(&place, &run);
         same(&place, "results", "other");
         std::fs::remove_dir_all(place.path("other")).unwrap();
     }

@@ -1,6 +1,6 @@
 //! A Slurm cluster of two nodes on this machine, for one test: Slurm's own
-//! daemons, for this machine only, with nothing outside a folder of their own and
-//! nothing left when the value goes, whatever became of the test.
+//! daemons, for this machine only, with nothing outside their own folder and nothing left when the
+//! value is dropped, also after a failed test.
 
 use std::cell::RefCell;
 use std::fmt::Write as _;
@@ -211,8 +211,8 @@ impl Cluster {
     pub fn end_of(&self, job: &str, limit: Duration) -> String {
         self.wait_until(&format!("end of job {job}"), limit, || {
             let state = field(&self.job(job), "JobState");
-            let goes_on = ["PENDING", "RUNNING", "COMPLETING", "REQUEUED"];
-            (!goes_on.contains(&state.as_str())).then_some(state)
+            let continues = ["PENDING", "RUNNING", "COMPLETING", "REQUEUED"];
+            (!continues.contains(&state.as_str())).then_some(state)
         })
     }
 
@@ -303,7 +303,7 @@ fn find(program: &str) -> Option<PathBuf> {
         .find(|file| file.is_file())
 }
 
-/// A port that nobody listens at. Below those that the system gives to
+/// A port without a listener. Below those that the system gives to
 /// connections, or one of them might take it before its daemon does.
 fn free_port() -> u16 {
     static TRIED: AtomicU16 = AtomicU16::new(0);

@@ -1,4 +1,4 @@
-//! Command lines that make no sense, and folders that cannot be.
+//! Command lines that make no sense, and folders that cannot be made.
 
 use crate::refusals::{fails, refused};
 use crate::support::{SMALL, Workplace};
@@ -37,7 +37,7 @@ fn a_command_line_that_makes_no_sense_is_refused() {
 }
 
 #[test]
-fn a_number_of_cores_that_a_cluster_cannot_mean_is_told_and_passed_over() {
+fn an_impossible_number_of_cores_is_ignored_with_a_warning() {
     let place = Workplace::with_small(SMALL);
     for (name, value) in [
         ("SLURM_CPUS_PER_TASK", "many"),
@@ -49,7 +49,7 @@ fn a_number_of_cores_that_a_cluster_cannot_mean_is_told_and_passed_over() {
         let output = command.env(name, value).output().unwrap();
         let errors = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(0), "{errors}");
-        let meant = format!("warning: {name}=\"{value}\" is passed over: ");
+        let meant = format!("warning: {name}=\"{value}\" is ignored: ");
         assert!(errors.starts_with(&meant), "{errors}");
     }
     // As many as asked for leave no question to the cluster.
@@ -59,7 +59,7 @@ fn a_number_of_cores_that_a_cluster_cannot_mean_is_told_and_passed_over() {
 }
 
 #[test]
-fn an_amount_of_memory_that_a_cluster_cannot_mean_is_told_and_passed_over() {
+fn an_impossible_amount_of_memory_is_ignored_with_a_warning() {
     let place = Workplace::with_small(SMALL);
     let errors = |value: &str, more: &[&str]| {
         let arguments = [&["run", "small.toml", "--dry-run"], more].concat();
@@ -70,7 +70,7 @@ fn an_amount_of_memory_that_a_cluster_cannot_mean_is_told_and_passed_over() {
         errors
     };
     for value in ["8G", "-1", "nan", "inf", "1e308"] {
-        let meant = format!("warning: SLURM_MEM_PER_NODE=\"{value}\" is passed over: ");
+        let meant = format!("warning: SLURM_MEM_PER_NODE=\"{value}\" is ignored: ");
         let errors = errors(value, &[]);
         assert!(errors.starts_with(&meant), "{errors}");
         assert_eq!(errors.lines().count(), 1, "{errors}");
@@ -79,7 +79,7 @@ fn an_amount_of_memory_that_a_cluster_cannot_mean_is_told_and_passed_over() {
     assert_eq!(errors("0", &[]) + &errors("8G", &["--memory", "1G"]), "");
 }
 
-/// What the parser of the command line finds; it adds a hint of its own.
+/// What the parser of the command line finds; it adds its own hint.
 #[test]
 fn an_argument_that_cannot_be_read_is_named() {
     let place = Workplace::with_small(SMALL);
@@ -118,7 +118,7 @@ fn an_argument_that_cannot_be_read_is_named() {
 
 /// The machine's fault, not the file's. Permissions would not stop root.
 #[test]
-fn a_folder_that_cannot_be_made_is_an_error_of_its_own() {
+fn a_folder_that_cannot_be_made_is_a_separate_error() {
     let place = Workplace::with_small(SMALL);
     for command in ["run", "simulate", "inspect"] {
         let answer = fails(

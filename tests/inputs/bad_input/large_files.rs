@@ -1,4 +1,4 @@
-//! Files that are none, chains of bases, files too large, and large ones that are
+//! Pipes and devices in place of files, chains of bases, files too large, and large ones that are
 //! read at once.
 
 use std::fmt::Write;
@@ -24,8 +24,7 @@ fn listing(file: &str) -> String {
     small_with_design(&format!("[design]\nkind = \"list\"\nfile = \"{file}\"\n"))
 }
 
-/// Opening a pipe that nobody writes to would wait for ever, and a device may have
-/// no end.
+/// Opening a pipe without a writer would wait for ever, and a device may have no end.
 #[cfg(unix)]
 #[test]
 fn a_pipe_or_a_device_is_refused_by_name() {
@@ -110,7 +109,7 @@ fn bases_that_are_too_large_together_are_refused() {
     assert_eq!(answers(&place, &["run", "small.toml", "--dry-run"]).code, 0);
 }
 
-/// `small.toml` on so many bases, the last of them whole.
+/// `small.toml` on a number of bases, the last of them whole.
 fn chain(bases: usize) -> Workplace {
     let place = Workplace::with_small("base = \"base1.toml\"\n");
     for base in 1..bases {
@@ -137,7 +136,7 @@ fn only_bases_that_go_in_a_circle_are_called_so() {
     refused_soon(&place, &run, meant);
 }
 
-/// Each of them would take minutes if every row, site or key looked at all others.
+/// Each of them would take minutes if every row, site or key were compared with all others.
 #[test]
 fn large_files_are_read_at_once() {
     let place = Workplace::new();

@@ -42,7 +42,7 @@ fn the_lateral_sweep_itself_has_no_mistake() {
 }
 
 #[test]
-fn what_a_wall_cannot_be_is_refused() {
+fn invalid_values_of_a_wall_are_refused() {
     for (piece, instead, at, key, meant) in [
         (
             "clearance_mm = 15",
@@ -132,7 +132,7 @@ fn two_sites_at_one_place_are_refused() {
 }
 
 #[test]
-fn what_an_impulse_cannot_be_is_refused() {
+fn invalid_values_of_an_impulse_are_refused() {
     for (piece, instead, at, key, meant) in [
         (
             "duration_s = 0.02",
@@ -174,8 +174,7 @@ fn what_an_impulse_cannot_be_is_refused() {
     }
 }
 
-/// A millimetre below a clamp, no knock brings a string of a hundred metres to
-/// a wall.
+/// A millimetre below a clamp, no impulse brings a string of a hundred metres to a wall.
 #[test]
 fn an_i0_that_does_not_exist_is_refused() {
     let clamped = with(
@@ -259,7 +258,7 @@ fn ratios_of_impulses_given_in_newton_seconds_are_refused() {
 
 /// They are written down with the results, and no number read back is infinite.
 #[test]
-fn numbers_that_are_not_used_are_looked_at() {
+fn numbers_that_are_not_used_are_checked() {
     for number in ["nan", "inf"] {
         let damping = format!("damping_ns_m2 = {number} # here");
         let text = with(&bending(), "damping_ns_m2 = 2000", &damping);

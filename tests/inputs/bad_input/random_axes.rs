@@ -3,7 +3,7 @@
 use crate::refusals::{RUN, line_of, refused, refused_at};
 use crate::support::{Workplace, small_with_design};
 
-/// An axis of a Monte Carlo design beside one of another quantity.
+/// An axis of a Monte Carlo design together with one of another quantity.
 fn axis(keys: &str) -> String {
     small_with_design(&format!(
         "[design]\nkind = \"monte-carlo\"\ncases = 4\n[design.axes]\n\
@@ -109,7 +109,7 @@ fn correlated_axes_are_refused_in_a_sensitivity_design() {
     refused(&place, &RUN, &["`design.correlations`: ", meant]);
 }
 
-/// Sobol's sequence has only so many dimensions, and blocks take two for each axis.
+/// Sobol's sequence has a limited number of dimensions, and blocks take two for each axis.
 #[test]
 fn more_axes_than_sobol_points_have_coordinates_are_refused() {
     let sections = "[[string.sections]]\nrepeat = 1\nparts = [{ length_m = 9, \
@@ -140,7 +140,7 @@ fn more_axes_than_sobol_points_have_coordinates_are_refused() {
 }
 
 #[test]
-fn a_correlation_that_cannot_be_is_refused() {
+fn an_invalid_correlation_is_refused() {
     let with = |pairs: &[(&str, f64)]| {
         let mut text = axis("from = 1, to = 9");
         for (axes, coefficient) in pairs {

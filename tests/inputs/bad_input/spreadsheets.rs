@@ -14,7 +14,7 @@ fn labels_of(place: &Workplace) -> String {
 }
 
 #[test]
-fn a_list_is_the_same_whatever_program_exported_it() {
+fn a_list_is_the_same_from_any_program() {
     let plain = "surface_speed_rpm,weight_on_bit_kn\n0.125,50\n0.5,150.5\n";
     let expected = labels_of(&with_list(plain));
     let quoted = "\"surface_speed_rpm\",\"weight_on_bit_kn\"\n\"0.125\",\"50\"\n0.5,\"150.5\"\n";

@@ -1,4 +1,4 @@
-//! Traces that cannot be.
+//! Invalid traces.
 
 use crate::refusals::{RUN, refused, refused_at};
 use crate::support::{Workplace, small_with_design};

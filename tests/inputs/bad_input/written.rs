@@ -79,7 +79,7 @@ fn a_value_of_another_type_is_refused() {
 }
 
 #[test]
-fn a_choice_that_is_none_is_refused() {
+fn an_unknown_choice_is_refused() {
     each_is_refused(
         r#"
         title = "A small sweep" => units = "feild" | units | unknown choice `feild`; did you mean `field`?

@@ -278,7 +278,7 @@ fn a_failed_case_is_there_with_its_reason_and_its_command() {
 }
 
 /// In a real browser: nothing asked for, nothing on the console,
-/// not wider than a phone; what is told of a case is what labels.csv says, and its motion,
+/// not wider than a phone; the values shown of a case are those of labels.csv, and its motion,
 /// simulated in the page, is that of `sweep simulate` to 1e-9.
 #[test]
 #[ignore = "needs Node and Chromium"]

@@ -14,7 +14,7 @@ const DOUBLINGS: u32 = 10;
 
 /// Sampling frequencies, Hz, on a string that a torsional wave travels in `travel` (s): in
 /// a whole number of steps, for a front that arrives within a step is met as a slope of
-/// one step, and where it catches a bit that creeps, its limit hangs on that.
+/// one step, and where it stops a bit that creeps, the limit depends on that.
 pub fn frequencies(travel: f64) -> Vec<f64> {
     let steps = (LOWEST * travel).round().max(1.0);
     (0..=DOUBLINGS)
@@ -51,7 +51,7 @@ pub fn methods() -> [Method; 6] {
     ]
 }
 
-/// A method at a frequency, as it is told.
+/// A method at a frequency, as it is reported.
 pub fn candidate(method: &Method, frequency: f64) -> Candidate {
     Candidate {
         method: method.name().to_owned(),

@@ -11,8 +11,8 @@ use super::search::Search;
 use super::strings::Steps;
 use crate::plan::Choice;
 
-/// Another family is heard where its linear responses are within this part of what a
-/// reference may be uncertain by: limits are off by more than the responses they hang on.
+/// Another family counts where its linear responses are within this fraction of the allowed
+/// uncertainty of a reference: limits are off by more than the responses that they depend on.
 const TELLING: f64 = 0.2;
 
 /// The family that comes nearest to the exact responses with a wall, without being the
@@ -23,8 +23,8 @@ const OTHER_WITH_A_WALL: Method = Method::Quadrature;
 /// not ragged.
 const EXACT: f64 = 0.01;
 
-/// References whose responses are exact and whose answers are not certain, before limits
-/// count as ragged; and of those that would do but for others, so many one after the other.
+/// References whose responses are exact and whose answers are not certain, before limits count as
+/// ragged; and in a row of those that only other methods contradict.
 const PATIENCE: usize = 5;
 const CONTESTED: usize = 2;
 
@@ -188,7 +188,7 @@ impl References<'_> {
 }
 
 /// Whether finer steps will not make the last reference certain: the responses have been
-/// exact enough for long, and the limits hang on something else.
+/// exact enough for long, and the limits depend on something else.
 fn is_ragged(references: &[Reference]) -> bool {
     let exact = references
         .iter()

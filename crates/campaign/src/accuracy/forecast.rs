@@ -1,4 +1,4 @@
-//! How long choosing will take, told before it begins. Nothing is chosen by it.
+//! How long choosing will take, reported before it begins. The choice does not depend on it.
 
 use std::cell::Cell;
 use std::time::Instant;
@@ -41,7 +41,7 @@ struct Work {
 }
 
 impl Work {
-    /// By its first steps, those of the probe with this place; none where it cannot be.
+    /// By its first steps, those of the probe with this place; `None` where its case is invalid.
     fn of(probes: &Probes, index: usize, leads_group: bool, systems: &Systems) -> Option<Self> {
         let system = probes.system(systems, index);
         let conditions = probes.conditions(probes.case(index), 1.0);
@@ -91,8 +91,8 @@ impl Forecast {
         Self::new(building, work.collect(), probes.halvings())
     }
 
-    /// Of systems that take so long to build for each hertz (s), and of cases whose limits are
-    /// looked for by so many halvings.
+    /// Of systems with this time to build for each hertz (s), and of cases whose limits are found
+    /// by a number of halvings.
     fn new(building: f64, work: Vec<Work>, halvings: usize) -> Self {
         Self {
             building,
@@ -147,7 +147,7 @@ impl Forecast {
         self.on_threads(times) + self.near_limits(self.bisections, frequency)
     }
 
-    /// Seconds that so many cases near the limit of every group take.
+    /// Seconds that a number of cases near the limit of every group take.
     fn near_limits(&self, cases: f64, frequency: f64) -> f64 {
         let groups = self.work.iter().filter(|work| work.leads_group);
         self.on_threads(groups.map(|work| cases * EARLY * work.seconds(frequency)))
@@ -188,7 +188,7 @@ mod tests {
         assert!((two_threads.round(1000.0) - (0.1 + 0.01 + 0.05)).abs() < 1e-12);
     }
 
-    /// Answers that took twice as long will again; what is built does not hang on it.
+    /// Answers that took twice as long will again; what is built does not depend on it.
     #[test]
     fn what_was_taken_is_learnt_from() {
         let forecast = forecast();

@@ -40,11 +40,11 @@ impl Search<'_> {
 
 impl References<'_> {
     /// The reference in torsion: steps of one piece of the string's lattice, so short that
-    /// each front arrives at every place in time, and none rises within a step. (On many
-    /// strings a limit hangs on that: a front that rises within a step sends a dip ahead of
-    /// its echo, which stops a bit that has nearly stopped. Finer and finer steps that are
-    /// not in time with all of the string may agree with one another on another limit.)
-    /// What steps of half a piece change counts in its uncertainty.
+    /// each front arrives at every place in time, and none rises within a step. (On many strings a
+    /// limit depends on that: a front that rises within a step sends a dip ahead of its echo, which
+    /// stops a bit that has nearly stopped. Finer and finer steps that are not in time with all of
+    /// the string may agree with one another on another limit.) What steps of half a piece change
+    /// counts in its uncertainty.
     ///
     /// # Errors
     /// Where it takes too much memory.
@@ -53,7 +53,7 @@ impl References<'_> {
         let stepped = |pieces: f64, held: f64, known: &[Answer]| {
             self.stepped(Steps::Pieces(pieces), frequency / pieces, held, known)
         };
-        // No other is built before the lattice is looked at, which may take long itself.
+        // No other is built before the lattice is tried, which may take long itself.
         self.first_look(Method::Quadrature, &[frequency / FIRST_PIECES]);
         self.tell_expected(frequency, |of| of.in_pieces(frequency, FIRST_PIECES));
         // What says where limits are about.

@@ -1,4 +1,4 @@
-//! What methods are told apart by.
+//! What distinguishes methods.
 
 use linear::Method;
 use linear::method::Transform;

@@ -11,7 +11,7 @@
 //!
 //! - that of its linear responses, on smooth motions, from the exact ones
 //!   ([`linear::deviation`]), which share no time step with anything, and of the undershoot
-//!   Δ after a front where a limit of stick-slip hangs on it,
+//!   Δ after a front where a limit of stick-slip depends on it,
 //! - the shift of the limit between regimes, by surface speed or by friction, near a
 //!   few of the sweep's cases (`probes`),
 //! - that of the numbers a person would quote of those cases (`answer`),
@@ -49,8 +49,7 @@ use search::Search;
 /// each attempt.
 ///
 /// # Errors
-/// Where nothing delivers the accuracy within the memory, or the sweep's cases cannot
-/// be.
+/// Where nothing delivers the accuracy within the memory, or the sweep's cases are invalid.
 pub fn choose(
     sweep: &Sweep,
     full: bool,

@@ -25,8 +25,8 @@ const LIMIT_PART: f64 = 1.0 / 16.0;
 /// A limit is looked for within this factor of a known one.
 const NEAR: f64 = 1.2;
 
-/// Islands are looked for within this factor of a limit, beyond what was asked for, and so
-/// many steps are taken to there on either side, the closer the nearer.
+/// Islands are looked for within this factor of a limit, beyond what was asked for, in this number
+/// of places on either side, the closer the nearer.
 const FURTHEST: f64 = 1.3;
 const PLACES: usize = 16;
 
@@ -100,7 +100,7 @@ impl<'a> Probes<'a> {
         let count = cases.min(MOST_PROBES);
         let mut reason = anyhow!("there is nothing to compare");
         for case in (0..count).map(|index| (2 * index + 1) * cases / (2 * count)) {
-            // A string that cannot be has cases that fail, and nothing to compare.
+            // Cases of an invalid string fail, and there is nothing to compare.
             match found.longest_of(case) {
                 Ok(longest) => {
                     let string = found.strings.place_of(case, longest);

@@ -23,7 +23,7 @@ const PART: f64 = 0.5;
 /// forces are held.
 pub const METHOD: Method = Method::Held;
 
-/// What is told of a choice under way.
+/// What is reported of a choice in progress.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SearchProgress {
     /// About how long it will take from here on.
@@ -48,7 +48,7 @@ pub struct Attempt {
     pub candidate: Candidate,
     /// Whether it is to be the reference of the others.
     pub is_reference: bool,
-    /// Time that it will take, about, s, where that can be told.
+    /// Time that it will take, about, s, where that is known.
     pub seconds: Option<f64>,
 }
 
@@ -133,7 +133,7 @@ impl<'a> References<'a> {
     }
 
     /// The systems by a method of the lowest of some sampling frequencies (Hz) that suits these
-    /// cases, and it; from then on it can be told how long things take.
+    /// cases, and it; from then on times can be estimated.
     pub fn first_look(&self, method: Method, frequencies: &[f64]) -> Option<(Systems, f64)> {
         let strings = &self.probes.strings;
         let (systems, steps, frequency) = frequencies.iter().find_map(|&frequency| {
@@ -179,8 +179,7 @@ impl<'a> References<'a> {
         PART * self.asked
     }
 
-    /// The error of linear responses; where a limit is looked for, also that of what it
-    /// hangs on.
+    /// The error of linear responses; where a limit is looked for, also that of what it depends on.
     pub fn linear_error(&self, systems: &Systems, reference: &[Answer]) -> Result<Difference> {
         let has_limit = reference.iter().any(|answer| answer.limit.is_some());
         let undershoots = if has_limit {

@@ -140,7 +140,7 @@ impl Search<'_> {
         match best_of(tried) {
             Some(best) => anyhow!("nothing delivers {asked} %; {best}; {unsure}"),
             None => anyhow!(
-                "{asked} % cannot be told: the reference is to be certain to {certain} %, but \
+                "{asked} % cannot be estimated: the reference is to be certain to {certain} %, but \
                  {unsure}"
             ),
         }

@@ -12,7 +12,7 @@ use linear::waves::lattice::Lattice;
 use linear::{ImpulseTrains, Method, parallel};
 
 use super::answer::Difference;
-use crate::engine::{MethodSystem, StringMemory};
+use crate::engine::{MethodSystem, Recipe, StringMemory};
 use crate::memory::{Limit, Size};
 use crate::plan::{LateralSettings, Setting, Sweep};
 
@@ -25,9 +25,9 @@ pub type Systems = Vec<MethodSystem>;
 /// Steps of every string.
 #[derive(Debug, Clone, Copy)]
 pub enum Steps {
-    /// Of so many hertz.
+    /// At a frequency, Hz.
     Frequency(f64),
-    /// As long as a wave takes along so many pieces of its lattice.
+    /// As long as a wave takes along a number of pieces of its lattice.
     Pieces(f64),
 }
 
@@ -84,7 +84,7 @@ impl<'a> Strings<'a> {
     /// The time (s) a torsional wave takes along the first string.
     ///
     /// # Errors
-    /// Where that string cannot be.
+    /// Where that string is invalid.
     pub fn travel(&self) -> Result<f64> {
         let values = self.sweep.design.values(self.cases[0]);
         Ok(torsional_travel_time(
@@ -95,7 +95,7 @@ impl<'a> Strings<'a> {
     /// The frequency (Hz) of steps of one piece of the first string's lattice.
     ///
     /// # Errors
-    /// Where that string cannot be, or cannot be cut into a lattice.
+    /// Where that string is invalid, or cannot be cut into a lattice.
     pub fn frequency_of_pieces(&self) -> Result<f64> {
         let values = self.sweep.design.values(self.cases[0]);
         frequency_of_pieces(self.sweep.setting_at(&values)?.as_ref())
@@ -114,13 +114,13 @@ impl<'a> Strings<'a> {
         setting.map_err(|error| anyhow!(error.message().to_owned()))
     }
 
-    /// The memory that a method's systems keep, bytes, where they can be built beside
-    /// others that keep `held`.
+    /// The memory that a method's systems keep, bytes, where they can be built together with others
+    /// that keep `held`.
     ///
     /// # Errors
     /// Where building and stepping them would take more than the limit.
     pub fn fits(&self, method: Method, steps: Steps, held: f64) -> Result<f64> {
-        // A string that cannot be is told when it is to be built.
+        // An invalid string is reported when it is to be built.
         let settings = (self.cases.iter()).filter_map(|&case| self.setting(case, steps).ok());
         let (mut systems, mut case) = (Need::default(), 0.0f64);
         for setting in settings {
@@ -133,7 +133,7 @@ impl<'a> Strings<'a> {
                 Some(taps) => bail!("would have responses of {taps:.1e} steps, which is too long"),
                 None => {}
             }
-            systems = systems.beside(of_string.systems);
+            systems = systems.and(of_string.systems);
             case = case.max(of_string.case);
         }
         let stepped = Need::lasting(parallel::threads() as f64 * case);
@@ -156,9 +156,8 @@ impl<'a> Strings<'a> {
                 Method::Held => self.trains_of(string, &setting)?,
                 _ => None,
             };
-            let cuts = self.sweep.bit.is_some();
-            let system = MethodSystem::build_with(&setting, method, cuts, self.longest, trains)
-                .map_err(|error| anyhow!("{error:#}"))?;
+            let recipe = self.recipe(&setting, method).with_trains(trains);
+            let system = recipe.build().map_err(|error| anyhow!("{error:#}"))?;
             match system.instability() {
                 Some(instability) => Err(instability.into()),
                 None => Ok(system),
@@ -169,11 +168,14 @@ impl<'a> Strings<'a> {
         systems.into_iter().collect()
     }
 
+    fn recipe<'b>(&self, setting: &'b Setting, method: Method) -> Recipe<'b> {
+        Recipe::alone(setting, method, self.sweep.bit.is_some(), self.longest)
+    }
+
     /// The trains of a string, found once.
     fn trains_of(&self, string: usize, setting: &Setting) -> Result<Option<&ImpulseTrains>> {
         let found = self.trains[string].get_or_init(|| {
-            let cuts = self.sweep.bit.is_some();
-            let trains = MethodSystem::trains(setting, cuts, self.longest);
+            let trains = self.recipe(setting, Method::Held).trains();
             trains.map_err(|reason| format!("{reason:#}"))
         });
         match found {
@@ -189,8 +191,8 @@ impl<'a> Strings<'a> {
         trains.map(ImpulseTrains::bytes).sum()
     }
 
-    /// Δ of Eq. 75 of every string as it is, rad/s per N m; none with a wall, where limits
-    /// hang on more than that, and none without a bit.
+    /// Δ of Eq. 75 of every string as it is, rad/s per N m; empty with a wall, where limits depend
+    /// on more than that, and without a bit.
     ///
     /// # Errors
     /// Where a string cannot be cut into a lattice.
@@ -223,7 +225,7 @@ impl<'a> Strings<'a> {
     /// `undershoots` that are.
     ///
     /// # Errors
-    /// Where they are none of these strings'.
+    /// Where they do not belong to these strings.
     pub fn linear_error(&self, systems: &Systems, undershoots: &[f64]) -> Result<Difference> {
         let mut worst = Difference {
             part: 0.0,

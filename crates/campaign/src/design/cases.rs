@@ -223,8 +223,8 @@ impl Design {
 }
 
 impl Design {
-    /// Blocks that tell axes apart, each even between its ends, whatever the axes are of: for
-    /// tests against functions of known indices. `None` for more axes than there are points.
+    /// Blocks that separate axes, each even between its ends, for any axes: for tests against
+    /// functions of known indices. `None` for more axes than there are points.
     #[doc(hidden)]
     pub fn even_blocks(
         points: PointsName,

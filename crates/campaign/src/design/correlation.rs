@@ -22,7 +22,7 @@ impl Correlation {
     /// What `[[design.correlations]]` says of axes.
     ///
     /// # Errors
-    /// Where a pair is none, or its coefficient is none; or all together cannot be.
+    /// If a pair is unknown, its coefficient exceeds 1, or the matrix is not positive definite.
     pub fn resolve(
         source: &Source,
         table: &DesignTable,

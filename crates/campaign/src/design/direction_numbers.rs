@@ -8,10 +8,10 @@
 
 /// Of a dimension, the coefficients of its polynomial between the first and the last, as bits, and
 /// as many initial direction numbers as its degree.
-pub type Row = (u32, &'static [u32]);
+pub type DirectionRow = (u32, &'static [u32]);
 
 /// Rows of the dimensions from the second on.
-pub const JOE_KUO: [Row; 127] = [
+pub const JOE_KUO: [DirectionRow; 127] = [
     (0, &[1]),
     (1, &[1, 3]),
     (1, &[1, 3, 1]),

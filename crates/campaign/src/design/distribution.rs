@@ -125,8 +125,8 @@ pub fn below_normal(score: f64) -> f64 {
     Normal::standard().cdf(score)
 }
 
-/// The number below which a part of that distribution is; finite, for no part is drawn that is
-/// none or all of it.
+/// The number below which a fraction of that distribution lies; finite, since fractions are kept
+/// from 0 and 1.
 pub fn normal_score(part: f64) -> f64 {
     let least = f64::EPSILON * f64::EPSILON;
     Normal::standard().inverse_cdf(part.clamp(least, 1.0 - f64::EPSILON))

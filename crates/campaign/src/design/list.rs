@@ -74,7 +74,7 @@ fn cases_of(text: &str, weight_pushes: bool) -> Result<List, Mistake> {
     let is_header = |headings: &[Heading]| headings.iter().all(|it| axis_of(it).is_some());
     let (table, headings) = HandTable::with_headings(text, &is_header)?;
     let columns = axes_of(&table, &headings)?;
-    // Columns of results follow the order of the axes, whatever the file's.
+    // Columns of results follow the order of the axes, not that of the file.
     let mut order: Vec<usize> = (0..columns.len()).collect();
     let axis = |&column: &usize| columns[column].0;
     order.sort_by_key(|column| place(axis(column), weight_pushes));

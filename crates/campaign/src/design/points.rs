@@ -1,5 +1,5 @@
 //! Where random points lie in the unit cube. A point depends on the seed and its number alone, so
-//! that more of them go on from those that are there.
+//! that more of them continue those that are there.
 
 use super::axes::MOST_CASES;
 use super::sobol::{MOST_DIMENSIONS, Sobol};
@@ -9,7 +9,7 @@ use crate::sweep_file::{DesignTable, PointsName, Source, SweepFileError};
 // Every point of a design has its number in Sobol's sequence.
 const _: () = assert!(MOST_CASES <= u32::MAX as usize);
 
-/// Points with so many coordinates each.
+/// Points with a number of coordinates each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Points {
     pub seed: u64,
@@ -23,7 +23,7 @@ enum Kind {
 }
 
 impl Points {
-    /// What `points` and `seed` say, for points with so many coordinates.
+    /// What `points` and `seed` say, for points with a number of coordinates.
     ///
     /// # Errors
     /// Where there are too many of them for the points asked for.
@@ -42,7 +42,7 @@ impl Points {
         })
     }
 
-    /// Those of a seed, if there are any with so many coordinates.
+    /// Those of a seed, if there are any with this number of coordinates.
     pub fn new(name: PointsName, seed: u64, dimensions: usize) -> Option<Self> {
         let kind = match name {
             PointsName::Random => Kind::Random { dimensions },

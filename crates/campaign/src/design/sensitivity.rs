@@ -16,7 +16,7 @@ pub struct Sensitivity {
     pub(super) blocks: usize,
 }
 
-/// Cases of a block over so many axes.
+/// Cases of a block over a number of axes.
 pub const fn cases_of_block(axes: usize) -> usize {
     axes + 2
 }

@@ -7,14 +7,14 @@
 //! With that the first point need not be left out (A. B. Owen, *Monte Carlo and Quasi-Monte Carlo
 //! Methods* 2020, 71–86).
 
-use super::direction_numbers::{JOE_KUO, Row};
+use super::direction_numbers::{DirectionRow, JOE_KUO};
 use crate::random::{Stream, mixed};
 
 /// Dimensions that there are direction numbers for.
 pub const MOST_DIMENSIONS: usize = 1 + JOE_KUO.len();
 
-/// Digits of the sequence itself, which has so many powers of two of points; and of what is made of
-/// it: as many as a double has.
+/// Digits of the sequence itself, which has two to this power of points; and of the scrambled
+/// points: as many as a double has.
 const DIGITS: usize = 32;
 const SCRAMBLED_DIGITS: usize = 53;
 
@@ -28,7 +28,7 @@ pub struct Sobol {
 }
 
 impl Sobol {
-    /// That of a seed, with so many dimensions, if there are as many.
+    /// That of a seed, with a number of dimensions, if there are as many.
     pub fn new(seed: u64, dimensions: usize) -> Option<Self> {
         if dimensions > MOST_DIMENSIONS {
             return None;
@@ -59,7 +59,7 @@ fn van_der_corput() -> [u32; DIGITS] {
 
 /// By the recurrence of I. M. Sobol (*USSR Computational Mathematics and Mathematical Physics*
 /// 7, 1967, 86–112) from the initial ones.
-fn directions(&(polynomial, initial): &Row) -> [u32; DIGITS] {
+fn directions(&(polynomial, initial): &DirectionRow) -> [u32; DIGITS] {
     let degree = initial.len();
     let mut directions = [0; DIGITS];
     for digit in 0..DIGITS {
@@ -119,7 +119,7 @@ mod tests {
         counts.iter().all(|count| count * boxes == points.len())
     }
 
-    /// Every way to deal so many digits to so many dimensions.
+    /// Every way to deal a number of digits to a number of dimensions.
     fn dealt(digits: u32, dimensions: usize) -> Vec<Vec<u32>> {
         if dimensions == 1 {
             return vec![vec![digits]];
@@ -151,7 +151,7 @@ mod tests {
 
     /// The first dimensions are (t, m, s)-nets with t the sum of the degrees of their
     /// polynomials less one each (H. Niederreiter, *Monatshefte für Mathematik* 104, 1987, 273–337):
-    /// boxes of volume 2^(t - m) have 2^t points each, whatever their shape. Scrambling leaves
+    /// boxes of volume 2^(t - m) have 2^t points each, for any shape. Scrambling leaves
     /// that as it is. Two dimensions of the table are even in smaller boxes than that, and random
     /// points in none.
     #[test]
@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn there_are_so_many_dimensions_and_no_more() {
+    fn there_are_this_many_dimensions_and_no_more() {
         assert!(Sobol::new(0, MOST_DIMENSIONS).is_some());
         assert_eq!(Sobol::new(0, MOST_DIMENSIONS + 1), None);
     }

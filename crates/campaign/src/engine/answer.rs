@@ -10,7 +10,7 @@ use super::systems::MethodSystem;
 use crate::plan::Sweep;
 use crate::records::Record;
 
-/// What a run with these options comes to of a case; `method` is the place of the system's in
+/// The record of a case in a run with these options; `method` is the place of the system's in
 /// the sweep's list. A case that panics is one without an answer, and not the end of the sweep.
 pub fn answer(
     system: &MethodSystem,

@@ -65,7 +65,7 @@ impl Case {
             torsion_timing(&setting.string, surface_speed, &all, &start)
         });
         if setting.lateral.is_some() {
-            // Two regimes are to be told.
+            // Two regimes have to be decided.
             timing.duration = timing.duration.max(BY_DEFAULT.duration);
             timing.closing_window = timing.closing_window.max(BY_DEFAULT.closing_window);
         }

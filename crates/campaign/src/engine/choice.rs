@@ -4,8 +4,8 @@ use thiserror::Error;
 
 use super::case::Case;
 use super::case_error::CaseError;
-use super::idle_axis::why_idle;
-use super::survey::longest_beside;
+use super::idle_axis::unused_reason;
+use super::survey::longest_of_string;
 use crate::plan::{Conditions, Setting, Sweep};
 use crate::quantities::Axis;
 use crate::sweep_file::SweepFileError;
@@ -27,7 +27,7 @@ pub enum ChoiceError {
     NoCase {
         /// The number.
         index: usize,
-        /// The last that there is.
+        /// The last case.
         last: usize,
     },
     /// A quantity cannot have the value that is set.
@@ -41,22 +41,22 @@ pub enum ChoiceError {
     /// A weight on bit is set where nothing turns it into a torque.
     #[error("a weight on bit needs a rock to give a torque")]
     WeightWithoutRock,
-    /// Cases that are looked at together have different strings.
-    #[error("cases of different strings cannot be drawn beside each other")]
+    /// Cases that are shown together have different strings.
+    #[error("cases of different strings cannot be drawn together")]
     DifferentStrings,
     /// The case makes no sense under what is set.
     #[error(transparent)]
     Case(#[from] CaseError),
-    /// One of the cases that share its string makes none.
+    /// One of the cases that share its string is invalid.
     #[error(transparent)]
-    Beside(CaseError),
+    SharedString(CaseError),
     /// What is set makes no string, or an impulse is not felt.
     #[error(transparent)]
     File(#[from] SweepFileError),
 }
 
 /// A case with what is changed of it.
-pub struct Choice {
+pub struct CaseChoice {
     /// Its number.
     pub index: usize,
     /// Its values on the axes.
@@ -68,7 +68,7 @@ pub struct Choice {
     sets_string: bool,
 }
 
-impl Choice {
+impl CaseChoice {
     /// A case of a sweep, with some quantities set to other values; of one set twice the last
     /// counts.
     ///
@@ -110,16 +110,17 @@ impl Choice {
     /// # Errors
     /// Where there is no such case, or an impulse of it is not felt.
     pub fn case(self, sweep: &Sweep) -> Result<ChosenCase, ChoiceError> {
-        let beside = if self.sets_string {
+        let longest = if self.sets_string {
             0.0
         } else {
-            longest_beside(sweep, &sweep.setting, self.index).map_err(ChoiceError::Beside)?
+            longest_of_string(sweep, &sweep.setting, self.index)
+                .map_err(ChoiceError::SharedString)?
         };
         let (index, values) = (self.index, self.values);
         let case = Case::under(sweep, &sweep.setting, index, values, &self.conditions)?;
         sweep.impulses_are_felt(case.index, case.scene.timing.duration)?;
         Ok(ChosenCase {
-            longest: beside.max(case.scene.timing.duration),
+            longest: longest.max(case.scene.timing.duration),
             case,
         })
     }
@@ -129,16 +130,16 @@ fn check_set(sweep: &Sweep, axis: Axis, value: f64) -> Result<(), ChoiceError> {
     let refused = |reason: String| ChoiceError::Set { axis, reason };
     axis.check(value)
         .map_err(|error| refused(error.to_string()))?;
-    why_idle(sweep, axis).map_or(Ok(()), |why| Err(refused(why.to_owned())))
+    unused_reason(sweep, axis).map_or(Ok(()), |why| Err(refused(why.to_owned())))
 }
 
-/// The string of all chosen cases, which are looked at together, or why they have none.
+/// The string of all chosen cases, which are shown together, or why they do not share one.
 ///
 /// # Errors
 /// Where they have not all the same, or what is set makes none.
 pub fn common_setting(
     sweep: &Sweep,
-    choices: &[Choice],
+    choices: &[CaseChoice],
 ) -> Result<Result<Setting, SweepFileError>, ChoiceError> {
     let string = choices.first().map_or(&[][..], |choice| &choice.string);
     if choices.iter().any(|choice| choice.string != string) {

@@ -19,8 +19,20 @@ pub(super) fn ask(plan: &SystemPlan, budget: &Budget) -> Result<Stepping, BuildE
     }
     let request = plan.request();
     let responses = ResponsePlan::new(&plan.setting.string, plan.method, &request)?;
+    ask_for_responses(plan, (&request, &responses), budget)
+}
+
+/// The same of a system that is made of such responses.
+///
+/// # Errors
+/// As [`ask`].
+pub(super) fn ask_for_responses(
+    plan: &SystemPlan,
+    (request, responses): (&Request, &ResponsePlan),
+    budget: &Budget,
+) -> Result<Stepping, BuildError> {
     responses.ask(budget)?;
-    let (sites, loads) = (request.sites.len(), loads(&request));
+    let (sites, loads) = (request.sites.len(), loads(request));
     let (taps, bending_taps) = (responses.torsion_taps(), responses.bending_taps());
     let bends = |simulator: SimulatorPlan| match plan.setting.lateral {
         None => simulator,

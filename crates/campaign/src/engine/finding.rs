@@ -14,13 +14,13 @@ use super::clearances::{Beyond, Clearances};
 use super::nearby::certify;
 use super::run_options::RunOptions;
 use super::stepped::{MOST_BY_TAPS, stepped_by};
-use super::systems::MethodSystem;
+use super::systems::{MethodSystem, Recipe};
 use super::whole_string::whole_string;
 use crate::plan::{Finding, Setting, Sweep};
 use crate::records::{Failure, Found, Record};
 
-/// Sites are told to a millimetre, in so many parts of a metre.
-const TOLD_TO: f64 = 1e3;
+/// Sites are given to a millimetre: parts of a metre.
+const GIVEN_TO: f64 = 1e3;
 
 /// Sites nearer to each other than this, m, are one.
 const LEAST_APART: f64 = 0.2;
@@ -31,7 +31,7 @@ const SAME_CLEARANCE: f64 = 1e-6;
 /// More sites than this no case is given: those of three hundred metres that lie on the wall.
 const MOST_STEPPED: usize = 300;
 
-/// What a run comes to of a case whose sites are found; arguments as of [`super::answer()`].
+/// The record of a case whose sites are found; arguments as of [`super::answer()`].
 pub fn find_sites(
     given: &MethodSystem,
     finding: &Finding,
@@ -104,7 +104,7 @@ fn next_system(
     for bulge in &bulges {
         let places = [
             site_near(bulge, finding, &clearances),
-            to_told(clearances.length() - bulge.depth),
+            rounded(clearances.length() - bulge.depth),
         ];
         let is_free = |place: &f64| {
             let mut others = known.iter().chain(&new);
@@ -127,15 +127,15 @@ fn next_system(
     let setting = sweep.setting_with_sites(&system.setting, &found.sites)?;
     let longest = system.responses.longest_time;
     let case = case.at_sites_of(&setting)?;
-    let system = MethodSystem::build_for(sweep, &setting, system.method, longest)
+    let system = (Recipe::of(sweep, &setting, system.method, longest).build())
         .and_then(|system| system.with_finer(sweep, method, longest))
         .map_err(CaseError::Responses)?;
     Ok(Some((system, case)))
 }
 
-/// A distance as it is told.
-fn to_told(distance: f64) -> f64 {
-    (distance * TOLD_TO).round() / TOLD_TO
+/// A distance as it is given.
+fn rounded(distance: f64) -> f64 {
+    (distance * GIVEN_TO).round() / GIVEN_TO
 }
 
 /// How many sites a case has at most, those of the file among them.
@@ -146,8 +146,8 @@ pub fn most_sites(setting: &Setting, method: &Method) -> usize {
     }
 }
 
-/// Where the string goes beyond the wall by more than the tolerance and than the sites beside do,
-/// which press into a wall that gives way.
+/// Where the string goes beyond the wall by more than the tolerance and than the neighbouring
+/// sites, which press into an elastic wall.
 fn bulges(
     system: &MethodSystem,
     finding: &Finding,
@@ -163,10 +163,10 @@ fn bulges(
     let whole = whole.map_err(|error| CaseError::Responses(error.into()))?;
     let sites = clearances.at_sites(motion);
     let allowed = |depth: f64| {
-        let beside = sites
+        let neighbours = sites
             .iter()
             .filter(|site| (site.0 - depth).abs() <= finding.every);
-        let into_wall = beside.map(|site| site.1).fold(0.0, f64::max);
+        let into_wall = neighbours.map(|site| site.1).fold(0.0, f64::max);
         finding.tolerance + into_wall
     };
     let mut bulges = clearances.bulges_beyond(&whole, allowed);
@@ -181,11 +181,11 @@ fn site_near(bulge: &Beyond, finding: &Finding, clearances: &Clearances) -> f64 
     let length = clearances.length();
     let even = ((length - bulge.depth) / finding.every).round() * finding.every;
     let last = (finding.to.min(length - LEAST_APART) / finding.every).floor() * finding.every;
-    let even = to_told(even.min(last));
+    let even = rounded(even.min(last));
     let is_as_narrow = |clearance: f64| clearance <= bulge.clearance + SAME_CLEARANCE;
     if clearances.at(length - even).is_some_and(is_as_narrow) {
         return even;
     }
     let [from, to] = clearances.stretch_around(bulge.depth);
-    to_told(length - 0.5 * (from + to))
+    rounded(length - 0.5 * (from + to))
 }

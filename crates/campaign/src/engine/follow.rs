@@ -7,7 +7,7 @@ use super::answer::answer;
 use super::case::Case;
 use super::run_options::RunOptions;
 use super::simulation::Simulation;
-use super::systems::MethodSystem;
+use super::systems::{MethodSystem, Recipe};
 use crate::plan::Sweep;
 use crate::records::Record;
 use crate::words::short;
@@ -34,7 +34,7 @@ impl FollowedMethod {
         }
         let is_watched = sweep.setting.sites.len() > case.setting.sites.len();
         let watched = is_watched.then(|| {
-            MethodSystem::build(&sweep.setting, case.method, sweep.bit.is_some(), longest)
+            Recipe::alone(&sweep.setting, case.method, sweep.bit.is_some(), longest).build()
         });
         Ok(Self {
             watched: watched.transpose()?,

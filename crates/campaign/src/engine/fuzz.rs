@@ -1,4 +1,4 @@
-//! Whatever is done to a sweep file, reading it gives a sweep or a sentence.
+//! Any change of a sweep file gives, when read, a sweep or a message.
 
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -106,7 +106,7 @@ stiffness_gn_m15 = { values = [1] }
 site_0_clearance_mm = { values = [15] }
 "#;
 
-/// What is put in the place of what was there, besides words of the files.
+/// Texts put into files, in addition to words of the files.
 static PIECES: LazyLock<Vec<String>> = LazyLock::new(|| {
     #[rustfmt::skip]
     let short = [

@@ -4,7 +4,7 @@ use crate::plan::{ImpulseSettings, Sweep};
 use crate::quantities::{Axis, StringAxis};
 
 /// Why nothing in a sweep depends on a quantity, where nothing does: setting it would be in vain.
-pub fn why_idle(sweep: &Sweep, axis: Axis) -> Option<&'static str> {
+pub fn unused_reason(sweep: &Sweep, axis: Axis) -> Option<&'static str> {
     let lateral = sweep.setting.lateral.as_ref();
     let mut impulses = lateral.iter().flat_map(|lateral| &lateral.impulses);
     let has_ratio = impulses.any(ImpulseSettings::is_relative);

@@ -34,7 +34,7 @@ impl StringMemory {
             Self::of_method(sweep, &setting, method, longest_time)
         });
         (methods.iter().map(of_method).chain(finer)).fold(Self::default(), |all, one| Self {
-            systems: all.systems.beside(one.systems),
+            systems: all.systems.and(one.systems),
             case: all.case.max(one.case),
             too_long: (all.too_long.into_iter().chain(one.too_long)).reduce(f64::max),
         })
@@ -43,7 +43,7 @@ impl StringMemory {
     fn of_method(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
         let mut own = Self::at_sites(sweep, setting, method, longest_time);
         if let Some(most) = with_most_sites(setting, method) {
-            // A case is run again with a system of its own, and its whole string looked at.
+            // A case is run again with a separate system, and its whole string is reconstructed.
             let again = Self::at_sites(sweep, &most, method, longest_time);
             let whole = whole_string(sweep, &most).map_or(0.0, |whole| whole.need(0).peak);
             own.case = own.case.max(again.systems.peak + again.case) + whole;

@@ -32,11 +32,11 @@ mod whole_string;
 pub use answer::answer;
 pub use case::Case;
 pub use case_error::CaseError;
-pub use choice::{Choice, ChoiceError, ChosenCase, common_setting};
+pub use choice::{CaseChoice, ChoiceError, ChosenCase, common_setting};
 pub use clearances::{Beyond, Clearances};
 pub use finer::finer_frequency;
 pub use follow::FollowedMethod;
-pub use idle_axis::why_idle;
+pub use idle_axis::unused_reason;
 pub use instability::{Instability, is_unstable};
 pub use limit::{LimitPoint, stick_slip_limit};
 pub use memory::StringMemory;
@@ -44,8 +44,8 @@ pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use simulation::Simulation;
 pub use stopwatch::Stopwatch;
-pub use survey::{Survey, longest_beside, setting_of, survey};
-pub use systems::{MethodSystem, add_finer, compare_fronts};
+pub use survey::{Survey, longest_of_string, setting_of, survey};
+pub use systems::{Basis, MethodSystem, Recipe, add_finer, compare_fronts};
 pub use whole_string::whole_string;
 
 use std::sync::OnceLock;
@@ -170,7 +170,7 @@ impl Work<'_> {
     ) -> Result<Vec<Result<MethodSystem, CaseError>>, CaseError> {
         let setting = setting_of(self.sweep, string)?;
         let longest = survey::of_string(self.sweep, &setting, string)?.longest;
-        let systems = MethodSystem::build_each(self.sweep, &setting.for_labels(), longest, base);
+        let systems = Recipe::build_each(self.sweep, &setting.for_labels(), longest, base);
         let finer = |(method, system): (usize, Result<MethodSystem>)| {
             let system = system.and_then(|system| system.with_finer(self.sweep, method, longest));
             system.map_err(CaseError::Responses)
@@ -200,7 +200,7 @@ impl Work<'_> {
                 let start = if part == 0 { 0 } else { ends[part - 1] };
                 let (position, method) = ((index - start) / methods, (index - start) % methods);
                 if let Err(error) = self.run_pair(&built[part], position, method, keep) {
-                    // The first one is told.
+                    // The first one is reported.
                     let _ = failure.set(error);
                 }
             }

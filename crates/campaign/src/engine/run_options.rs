@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use sim::Stopping;
 
-/// One case in so many is followed to its end even if it settles, to count how
+/// One case in this number is followed to its end even if it settles, to count how
 /// often that was wrong.
 const CHECKED_PART: usize = 16;
 

@@ -77,7 +77,7 @@ impl FromStr for Shard {
 mod tests {
     use super::*;
 
-    /// Which of so many shards have a case.
+    /// Which shards have a case.
     fn holders(of: usize, strings: usize, string: usize, cases: usize, at: usize) -> Vec<usize> {
         let has = |index: &usize| Shard { index: *index, of }.has(strings, string, cases, at);
         (0..of).filter(has).collect()
@@ -100,7 +100,7 @@ mod tests {
     #[test]
     fn the_part_of_a_random_case_does_not_depend_on_their_number() {
         for of in [1, 2, 7] {
-            // All of one string, or each of its own.
+            // All of one string, or a string for each.
             let parts = |cases: usize, case: usize| {
                 let of_one = holders(of, 1, 0, cases, case);
                 [of_one, holders(of, cases, case, 1, 0)]

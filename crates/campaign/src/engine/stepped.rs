@@ -29,7 +29,7 @@ pub fn stepped_by<'a>(
 }
 
 /// The sites whose own responses are to be known: those of impulses, and the lowest.
-pub fn looked_at(setting: &Setting) -> Vec<usize> {
+pub fn observed(setting: &Setting) -> Vec<usize> {
     let lateral = setting.lateral.iter();
     let impulses = lateral.flat_map(|lateral| &lateral.impulses);
     let mut sites: Vec<usize> = impulses.map(|impulse| impulse.site).collect();
@@ -66,7 +66,7 @@ pub(super) fn ask(
     parameters: &FiniteElement,
     budget: &Budget,
 ) -> Result<Stepping, BuildError> {
-    let (sites, loads) = (system.setting.sites.len(), looked_at(system.setting).len());
+    let (sites, loads) = (system.setting.sites.len(), observed(system.setting).len());
     let mesh = plan(system.setting, lateral, parameters);
     let passing = budget.part();
     let taps = mesh.ask(loads, system.longest_time, (&passing, budget))?;
@@ -98,7 +98,7 @@ pub fn build(
     // The simulator has a copy of the mesh.
     let passing = budget.part();
     let mesh = plan.build(&passing)?;
-    let responses = mesh.responses_within(&looked_at(setting), longest_time, budget)?;
+    let responses = mesh.responses_within(&observed(setting), longest_time, budget)?;
     let (sites, taps) = (
         setting.sites.len(),
         responses.torsion().map_or(0, ChannelResponses::taps),

@@ -6,7 +6,7 @@ use std::time::Instant;
 /// Runs from its start.
 #[derive(Debug, Clone, Copy)]
 pub struct Stopwatch {
-    /// A page's engine has no clock of its own: whoever calls it has one.
+    /// A page's engine does not have a clock: its caller has one.
     #[cfg(not(target_family = "wasm"))]
     start: Instant,
 }

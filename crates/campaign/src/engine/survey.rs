@@ -97,7 +97,7 @@ pub fn survey(sweep: &Sweep) -> Result<Survey, CaseError> {
 ///
 /// # Errors
 /// As [`survey`].
-pub fn longest_beside(sweep: &Sweep, setting: &Setting, index: usize) -> Result<f64, CaseError> {
+pub fn longest_of_string(sweep: &Sweep, setting: &Setting, index: usize) -> Result<f64, CaseError> {
     Ok(of_string(sweep, setting, sweep.design.string_of(index))?.longest)
 }
 
@@ -148,8 +148,8 @@ pub fn setting_of(sweep: &Sweep, string: usize) -> Result<Cow<'_, Setting>, Swee
     sweep.setting_at(&sweep.design.values(case))
 }
 
-/// The sum over `count` parts, or the error of the first part that has one,
-/// whatever the number of threads.
+/// The sum over `count` parts, or the error of the first part that has one, for any number of
+/// threads.
 fn sum_of(
     count: usize,
     part: impl Fn(usize) -> Result<Survey, CaseError> + Sync + Send,

@@ -22,7 +22,7 @@ use crate::records::{ByStart, Failure, Record, Verdict, verdict};
 
 mod building;
 
-pub use building::add_finer;
+pub use building::{Basis, Recipe, add_finer};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]
@@ -125,7 +125,7 @@ impl MethodSystem {
         mut record: Option<&mut Trajectory>,
     ) -> Result<Outcome, SimulationError> {
         let mut scene = case.scene.clone();
-        // A case may be of a setting with more sites, which are only looked at.
+        // A case may be of a setting with more sites, which are only observed.
         scene.start = case.start_of(&self.setting);
         if let Some(lateral) = &mut scene.lateral {
             // The clearance is the case's own.
@@ -139,7 +139,7 @@ impl MethodSystem {
         // Of the nodes of a string that rubs only the sites are recorded.
         if let (Some(record), Some(friction)) = (record, &self.setting.friction) {
             let mut speeds = std::mem::take(&mut record.speeds);
-            let sites = friction.looked_at.iter();
+            let sites = friction.observed.iter();
             record.speeds = sites
                 .map(|&node| std::mem::take(&mut speeds[node]))
                 .collect();
@@ -252,7 +252,7 @@ impl MethodSystem {
         self.finer.as_ref()?.verdict(case, stopping)
     }
 
-    /// What it comes to of a case, as a run has it, at the sites that it was built for; `method`
+    /// The record of a case, as a run has it, at the sites that it was built for; `method`
     /// is its place in the sweep's list. The motion is followed to its end where there is one to
     /// be written, and held against what the sweep compares with.
     pub(super) fn follow(

@@ -6,7 +6,7 @@ use sim::Trajectory;
 use crate::records::{to_mm, to_rpm};
 
 /// One of them.
-pub struct Column {
+pub struct HistoryColumn {
     /// Its name, with the unit.
     pub name: String,
     /// A number a step.
@@ -18,11 +18,11 @@ type InUnit = fn(f64) -> f64;
 
 /// The columns of a motion at these sites. The torque on bit is counted positive against the
 /// rotation, as drillers do.
-pub fn history_columns(sites: &Sites, motion: &Trajectory) -> Vec<Column> {
+pub fn history_columns(sites: &Sites, motion: &Trajectory) -> Vec<HistoryColumn> {
     let names: Vec<String> = (sites.distances_from_bit().iter())
         .map(|&distance| site_name(distance))
         .collect();
-    let column = |name: String, values: &[f64], unit: InUnit| Column {
+    let column = |name: String, values: &[f64], unit: InUnit| HistoryColumn {
         name,
         values: values.iter().map(|&value| unit(value)).collect(),
     };
@@ -43,7 +43,7 @@ pub fn history_columns(sites: &Sites, motion: &Trajectory) -> Vec<Column> {
     columns.extend(known.map(|(name, values, unit)| column(name.to_owned(), values, unit)));
     let between_walls = motion.positions.iter().zip(&motion.wall_forces);
     for (site, (positions, forces)) in names.iter().zip(between_walls) {
-        let of = |name: &str, vectors: &[[f64; 2]], axis: usize, unit: InUnit| Column {
+        let of = |name: &str, vectors: &[[f64; 2]], axis: usize, unit: InUnit| HistoryColumn {
             name: format!("{site}_{name}"),
             values: vectors.iter().map(|vector| unit(vector[axis])).collect(),
         };

@@ -5,7 +5,7 @@ use sim::Outcome;
 use crate::plan::Sweep;
 use crate::quantities::Axis;
 use crate::records::{
-    COLUMNS, Certainty, Field, Group, Kind, Record, ResultColumn, Row, certainty, certified,
+    COLUMNS, Certainty, Field, Group, Kind, Record, RecordRow, ResultColumn, certainty, certified,
 };
 use crate::sweep_file::StartName;
 
@@ -19,7 +19,7 @@ pub struct LabelTable<'a> {
     pub methods: Vec<&'a str>,
     /// What differs between the cases.
     pub axes: &'a [Axis],
-    /// Whether T_d has a column: it has where it follows from an axis and is none itself.
+    /// Whether T_d has a column: it has where it follows from an axis and is not an axis itself.
     pub shows_torque: bool,
     /// Whether what turns the surface is followed.
     pub shows_surface: bool,
@@ -124,7 +124,7 @@ impl<'a> LabelTable<'a> {
 
     /// The fields of a row, one for each column.
     pub fn fields(&self, record: &Record, certainty: Certainty) -> Vec<Field<'a>> {
-        let row = Row::new(record, certainty);
+        let row = RecordRow::new(record, certainty);
         let result = |column: &ResultColumn| column.field(&row);
         let mut fields = vec![record.case.into(), self.methods[record.method].into()];
         fields.extend(record.values.iter().map(|&value| Field::from(value)));

@@ -29,7 +29,7 @@ const LEAST_PART: f64 = 0.1;
 /// One clear sentence about a demand that is too large.
 pub fn refusal(demand: &Demand, survey: &Survey, cost: &Cost, limit: &Limit) -> Error {
     let what = match cost.too_long {
-        Some(taps) => format!("asks for responses of {taps:.1e} taps, more than any method gives"),
+        Some(taps) => format!("asks for responses of {taps:.1e} steps, more than any method gives"),
         None => format!(
             "would take {} of memory, more than {limit}; --memory changes that",
             Size(cost.bytes)

@@ -51,15 +51,15 @@ const STRINGS_PER_THREAD: usize = 4;
 pub enum Purpose {
     /// To step cases for their labels, one on each thread.
     Labels,
-    /// To step so many cases for their histories, which are all kept and drawn; of the first
-    /// one so many shapes of the whole string.
+    /// To step a number of cases for their histories, which are all kept and drawn; of the first
+    /// one a number of shapes of the whole string.
     Histories {
         /// How many.
         cases: usize,
         /// How many shapes.
         shapes: usize,
     },
-    /// To be looked at.
+    /// To be inspected.
     Look,
 }
 
@@ -125,7 +125,7 @@ impl<'a> Demand<'a> {
         })
     }
 
-    /// What it takes, with so many of the strings of its cases at once.
+    /// What it takes, with a number of the strings of its cases at once.
     pub fn cost(&self, strings_at_once: usize) -> Cost {
         let mut systems = Need::default();
         let mut case: f64 = 0.0;
@@ -141,7 +141,7 @@ impl<'a> Demand<'a> {
         Cost { bytes, too_long }
     }
 
-    /// What the program holds whatever it builds.
+    /// What the program holds in any case.
     fn own(&self) -> f64 {
         let cases = self.sweep.design.cases() as f64;
         let noted = NOTED * self.simulations();
@@ -235,7 +235,7 @@ impl<'a> Demand<'a> {
         }
     }
 
-    /// What it takes in the end to see what labels depend on, beside what is there by then.
+    /// What it takes in the end to see what labels depend on, in addition to what is there by then.
     fn bytes_of_dependences(&self) -> f64 {
         if self.purpose != Purpose::Labels {
             return 0.0;

@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use crate::allotted::{PassedOver, allotted};
+use crate::allotted::{IgnoredSetting, allotted};
 
 /// Part of the machine's memory that is taken without being asked for.
 const PART: f64 = 0.5;
@@ -85,8 +85,8 @@ impl Limit {
         Self { bytes, source }
     }
 
-    /// What Slurm allots and cannot mean, where it would be the limit.
-    pub fn passed_over(given: Option<Size>) -> Option<PassedOver> {
+    /// An impossible value of Slurm, where it would be the limit.
+    pub fn ignored(given: Option<Size>) -> Option<IgnoredSetting> {
         given.is_none().then(allotted_memory)?.err()
     }
 }
@@ -103,7 +103,7 @@ impl fmt::Display for Limit {
 struct NotMebibytes;
 
 /// What Slurm allots to a job on this node, bytes; 0 MiB are all of it.
-fn allotted_memory() -> Result<Option<f64>, PassedOver> {
+fn allotted_memory() -> Result<Option<f64>, IgnoredSetting> {
     let bytes = allotted("SLURM_MEM_PER_NODE", |text| {
         let bytes = text.parse::<f64>().ok().map(|amount| amount * KIB * KIB);
         let is_amount = |bytes: &f64| bytes.is_finite() && *bytes >= 0.0;
@@ -181,10 +181,10 @@ mod tests {
     }
 
     #[test]
-    fn amounts_are_told_in_the_units_they_are_given_in() {
-        let told = |text: &str| text.parse::<Size>().unwrap().to_string();
-        assert_eq!(told("1.5G"), "1.5 GiB");
-        assert_eq!(told("512M"), "512 MiB");
+    fn amounts_are_written_in_the_units_they_are_given_in() {
+        let written = |text: &str| text.parse::<Size>().unwrap().to_string();
+        assert_eq!(written("1.5G"), "1.5 GiB");
+        assert_eq!(written("512M"), "512 MiB");
         assert_eq!(Size(1e20).to_string(), "9.3e10 GiB");
     }
 }

@@ -5,12 +5,12 @@ use linear::well::HangingString;
 
 use super::sweep::Sweep;
 use crate::quantities::{Axis, FORCE, INCH};
-use crate::sweep_file::{Kind, RockName};
+use crate::sweep_file::{RockName, ToolKind};
 
 /// Diameter of the bit that the rocks of the program are for, m.
 const OF_ROCKS: f64 = 0.3;
 
-/// A bit differs from that by no more than this part before it is told.
+/// A bit that differs from that by a larger fraction is warned of.
 const ALIKE: f64 = 0.15;
 
 impl Sweep {
@@ -50,7 +50,10 @@ impl Sweep {
             return None;
         }
         let sheet = self.sheet.as_ref()?;
-        let bit = sheet.rows.iter().position(|row| row.kind == Kind::Bit)?;
+        let bit = sheet
+            .rows
+            .iter()
+            .position(|row| row.kind == ToolKind::Bit)?;
         let section = self.setting.string.sections().get(bit)?;
         let widest = section.parts.iter().map(|part| 2.0 * part.outer_radius);
         let diameter = widest.fold(0.0, f64::max);

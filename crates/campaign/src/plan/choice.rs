@@ -67,7 +67,7 @@ pub struct Tried {
     /// The candidate.
     #[serde(flatten)]
     pub candidate: Candidate,
-    /// Its error from the reference, where it can be told.
+    /// Its error from the reference, where it is known.
     pub error: Option<f64>,
     /// What the error is of, or why there is none.
     pub of: String,

@@ -123,7 +123,7 @@ impl Comparison {
     }
 }
 
-/// What the file holds its cases against, and what was passed over of the files with it.
+/// What the file holds its cases against, and what was ignored in the files.
 ///
 /// # Errors
 /// Where a key is refused, or a file.
@@ -135,7 +135,7 @@ pub fn resolve(
     let mut comparisons: Vec<Comparison> = Vec::new();
     let mut notes = Vec::new();
     for (index, table) in content.compare.iter().enumerate() {
-        let (comparison, passed_over) = comparison(source, content, index, table, text_of)?;
+        let (comparison, ignored) = comparison(source, content, index, table, text_of)?;
         let mut before = comparisons.iter();
         let is_there = before.any(|other| other.column == comparison.column);
         let message = format!(
@@ -144,7 +144,7 @@ pub fn resolve(
         );
         source.refuse_if(is_there, &format!("compare[{index}].trace"), message)?;
         comparisons.push(comparison);
-        notes.extend(passed_over);
+        notes.extend(ignored);
     }
     Ok((comparisons, notes))
 }
@@ -180,7 +180,7 @@ fn comparison(
     is_followed(source, content, &key("trace"), table.trace)?;
     let (unit, file) = (table.trace.unit(), &table.file);
     let column = Some(table.column.as_str());
-    let (recorded, passed_over) = read_series(source, &key("file"), file, column, unit, text_of)?;
+    let (recorded, ignored) = read_series(source, &key("file"), file, column, unit, text_of)?;
     let from = source.within(&key("from_s"), table.from_s, 0.0, 1e6, "s")?;
     let to = source.within(&key("to_s"), table.to_s, 0.0, 1e6, "s")?;
     source.refuse_if(
@@ -225,7 +225,7 @@ fn comparison(
         to,
         extreme,
     };
-    Ok((comparison, passed_over))
+    Ok((comparison, ignored))
 }
 
 #[cfg(test)]

@@ -33,7 +33,7 @@ pub struct Conditions {
     pub torque_decay_rpm: Option<f64>,
     /// The rock's own law, where it has one.
     pub law: Option<LawTable>,
-    /// What the friction of every wall is multiplied by, whoever gives it.
+    /// What the friction of every wall is multiplied by, wherever it is given.
     pub friction_factor: Option<f64>,
 }
 
@@ -198,7 +198,7 @@ pub fn are_complete(
     if let Some(axis) = of_bit.find(|axis| conditions.value(**axis).is_none()) {
         let needs = match axis {
             Axis::Rock(_) if conditions.law.is_some() => "poor cleaning in [bit.law]",
-            Axis::Rock(_) => "a rock with a law of its own: a table [bit.law]",
+            Axis::Rock(_) => "a rock with `law`: a table [bit.law]",
             _ => "a table [bit]",
         };
         let key = format!("design.axes.{}", axis.name());

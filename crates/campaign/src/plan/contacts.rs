@@ -9,8 +9,7 @@ use crate::sweep_file::SectionTable;
 /// Radii that differ by no more than this, m, are the same: one may be given in inches.
 const SAME_RADIUS: f64 = 1e-6;
 
-/// Candidates are told to a millimetre: nobody knows, or would write, where a stabiliser is more
-/// finely.
+/// Candidates are given to a millimetre: the place of a stabiliser is not known more finely.
 pub const CANDIDATES_TO: f64 = 1e-3;
 
 /// A place where the string may touch the wall.
@@ -142,7 +141,7 @@ impl StringInHole<'_> {
                 }
                 let clearance = full_gauge::clearance(radius, part.radius, part.is_of_gauge(self));
                 match corners.last_mut() {
-                    // The same as above goes on.
+                    // The same as above continues.
                     Some(last) if (last.1 - clearance).abs() <= SAME_RADIUS => last.0 = to,
                     _ => corners.extend([(from, clearance), (to, clearance)]),
                 }
@@ -203,7 +202,7 @@ impl StringInHole<'_> {
             .reduce(f64::min)
     }
 
-    /// The middle of every part that is wider than one beside it, or whose radius of contact is
+    /// The middle of every part that is wider than a neighbour, or whose radius of contact is
     /// given, up to a distance from the bit (m).
     fn middles_of_wide_parts(&self, to: f64) -> impl Iterator<Item = f64> {
         let mut parts = self.parts().peekable();
@@ -215,8 +214,10 @@ impl StringInHole<'_> {
                     return None;
                 }
                 let above = parts.peek().map(|above| above.radius);
-                let mut beside = [below.replace(part.radius), above].into_iter().flatten();
-                if part.is_given || beside.any(|beside| part.radius > beside + SAME_RADIUS) {
+                let mut neighbours = [below.replace(part.radius), above].into_iter().flatten();
+                if part.is_given
+                    || neighbours.any(|neighbour| part.radius > neighbour + SAME_RADIUS)
+                {
                     return Some(0.5 * (part.ends[0] + part.ends[1]));
                 }
             }
@@ -249,8 +250,8 @@ impl StringInHole<'_> {
     }
 }
 
-/// The nearest decimal in so many parts of one, as a person would write it: sums and differences of
-/// lengths are off by a rounding.
+/// The nearest decimal in a number of parts of one, as a person would write it: sums and
+/// differences of lengths are off by a rounding.
 fn to_decimals(value: f64, parts: f64) -> f64 {
     (value * parts).round() / parts
 }
@@ -325,7 +326,7 @@ mod tests {
     }
 
     #[test]
-    fn candidates_are_where_a_string_is_wider_than_beside() {
+    fn candidates_are_where_a_string_is_wider_than_its_neighbours() {
         let none: [f64; 0] = [];
         let everywhere = f64::INFINITY;
         // Of two collars the upper, which is below pipe; of the joints each.
@@ -344,7 +345,7 @@ mod tests {
             &[(9.0, 0.1016, None), (9.0, 4.0 * 0.0254 + 1e-12, None)],
         )];
         assert_eq!(candidates(&same, None, everywhere), none);
-        // A wear band touches where it is no wider than beside.
+        // A wear band touches where it is no wider than its neighbours.
         let band = [section(2, &[(9.0, 0.1, None), (1.0, 0.09, Some(0.1))])];
         assert_eq!(candidates(&band, None, everywhere), [0.5, 10.5]);
         let taper = [section(
@@ -402,7 +403,7 @@ mod tests {
     }
 
     #[test]
-    fn the_lowest_part_that_is_too_wide_is_told_with_where_it_jams() {
+    fn the_lowest_part_that_is_too_wide_is_reported_with_where_it_jams() {
         let sections = assembly();
         let string = string(&sections);
         let too_wide = |sections_of_hole: &[(f64, f64)]| {
@@ -419,10 +420,10 @@ mod tests {
         let narrow = [(46.6, 0.2), (9.0, 0.1495)];
         assert_eq!(too_wide(&narrow), Some((2, 0.15, 46.6, 0.1495)));
         assert_eq!(too_wide(&[(46.6, 0.2), (9.0, 0.15)]), None);
-        // Collars are none.
+        // Collars are not.
         assert!(too_wide(&[(60.0, 0.1)]).is_some());
         assert_eq!(too_wide(&[(47.0, 0.2), (9.0, 0.11)]), None);
-        // A joint beside a stretch that is narrow over less than its length.
+        // A joint next to a stretch that is narrow over less than its length.
         let stretch = [(9.6, 0.2), (0.1, 0.07), (40.0, 0.2)];
         assert_eq!(too_wide(&stretch), Some((0, 0.08, 9.6, 0.07)));
         assert_eq!(too_wide(&[]), None);
@@ -441,7 +442,7 @@ mod tests {
     proptest! {
         /// What is found by dividing lengths is what is found by walking from part to part.
         #[test]
-        fn a_radius_is_that_of_the_part_that_one_comes_to(
+        fn a_radius_is_that_of_the_part_at_the_place(
             sections in strings(),
             place in 0.0f64..1.0,
         ) {
@@ -459,7 +460,7 @@ mod tests {
             }
         }
 
-        /// Of every part it is told by hand whether it is wide.
+        /// For every part it is decided by hand whether it is wide.
         #[test]
         fn every_wide_part_is_a_candidate_and_no_other(sections in strings()) {
             let string = string(&sections);

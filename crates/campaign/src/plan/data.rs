@@ -24,7 +24,7 @@ pub struct Data {
     pub comparisons: Vec<Comparison>,
     /// What the survey does not say, and may mean.
     pub doubts: Vec<String>,
-    /// What was passed over of the files, each once.
+    /// What was ignored in the files, each once.
     pub notes: Vec<String>,
 }
 
@@ -115,7 +115,7 @@ fn check_surface(
     let key = "surface_speed_file";
     let is_still = recording.values().iter().all(|speed| *speed == 0.0);
     source.refuse_if(is_still, key, "the surface does not turn in all the time")?;
-    let message = "is given instead of `surface_speed_rpm`, not beside it";
+    let message = "conflicts with `surface_speed_rpm`: give only one";
     let is_axis = design.axes().contains(&Axis::SurfaceSpeedRpm);
     let has_both = content.surface_speed_rpm.is_some() || is_axis;
     source.refuse_if(has_both, key, message)?;

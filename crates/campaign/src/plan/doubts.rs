@@ -22,7 +22,7 @@ impl Sweep {
         .concat()
     }
 
-    /// What files beside the sweep file were taken to say, and tables without effect.
+    /// How files other than the sweep file were read, and tables without effect.
     pub fn notes(&self) -> Vec<String> {
         let of_sheet = self.sheet.iter().flat_map(|sheet| sheet.notes());
         of_sheet

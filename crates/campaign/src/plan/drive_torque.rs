@@ -1,5 +1,5 @@
-//! The torque that a top drive has to give, held against what it can: the model's drive gives
-//! whatever its controller asks for.
+//! The torque that a top drive has to give, held against what it can: the model's drive gives any
+//! torque that its controller asks for.
 
 use linear::estimates::torsional_inertia;
 use sim::SurfaceProfile;

@@ -1,16 +1,17 @@
-//! `sites = "auto"`: how places where a string touches its wall are found, where nobody says them.
+//! `sites = "auto"`: how places where a string touches its wall are found, where the file does not
+//! give them.
 
 use super::contacts::StringInHole;
 use crate::quantities::LONGEST_STRING;
 use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 
 /// Sites are looked for at every metre, until the string goes less than a millimetre farther
-/// beyond the wall between them than at them, in so many rounds at most.
+/// beyond the wall between them than at them, in a limited number of rounds.
 const EVERY: f64 = 1.0;
 const TOLERANCE_MM: f64 = 1.0;
 const ROUNDS: usize = 20;
 
-/// More rounds than this are more than anybody waits for.
+/// More rounds would take too long.
 const MOST_ROUNDS: usize = 1000;
 
 /// How sites are found.

@@ -100,18 +100,15 @@ pub fn idle_tables(content: &FileContent) -> Vec<String> {
     [
         (
             content.mud.is_some() && !bends && !rubs,
-            "[mud] changes nothing here: it moves with a string that bends (with a [wall]), and buoys \
-             one that rubs ([string_friction])",
+            "[mud] has no effect without [wall] or [string_friction]",
         ),
         (
             has_survey && !rubs && !hangs,
-            "`well.survey` changes nothing here: it says how the string lies in its well, which matters \
-             to [string_friction] and [axial_force]",
+            "`well.survey` has no effect without [string_friction] or [axial_force]",
         ),
         (
             has_hole && !moves_mud && !content.clearance_is_of_hole(),
-            "the hole of [well] changes nothing here: it matters to [mud] around a string that bends, \
-             and to `clearance = \"hole\"` in [wall]",
+            "the hole of [well] has no effect without [mud] and [wall], or `clearance = \"hole\"`",
         ),
     ]
     .into_iter()

@@ -4,7 +4,7 @@ use super::sites::Places;
 use crate::quantities::in_digits;
 use crate::sweep_file::{ImpulseTable, Source, SweepFileError};
 
-/// More than any knock, N s: a site whose I₀ is larger cannot reach its wall.
+/// More than any impulse, N s: a site whose I₀ is larger cannot reach its wall.
 pub const LARGEST_IMPULSE: f64 = 1e9;
 
 /// What pushes the string for longer is no impulse, s.
@@ -55,7 +55,7 @@ impl ImpulseSettings {
 /// An impulse of the file.
 ///
 /// # Errors
-/// Where it can be none.
+/// Where it is invalid.
 pub fn resolve(
     source: &Source,
     index: usize,

@@ -145,14 +145,14 @@ fn the_shipped_string_touches_with_its_blades() {
     assert_eq!(found.len(), 24);
 }
 
-/// A mistake: the file, a piece of the line that is to blame, its key, and what is told.
+/// A mistake: the file, a piece of the wrong line, its key, and the message.
 #[track_caller]
-fn is_refused(text: &str, at: &str, key: &str, told: &str) {
+fn is_refused(text: &str, at: &str, key: &str, expected: &str) {
     let line = 1 + text.lines().position(|line| line.contains(at)).expect(at);
     let message = read(text).unwrap_err().to_string();
     let place = format!("sweep.toml:{line}: `{key}`: ");
     assert!(message.starts_with(&place), "{place}\n{message}");
-    assert!(message.contains(told), "{told}\n{message}");
+    assert!(message.contains(expected), "{expected}\n{message}");
 }
 
 #[test]
@@ -169,12 +169,12 @@ fn a_clearance_that_the_hole_cannot_leave_is_refused_with_its_line() {
         "clearance = \"hole\"\nclearance_in = 1",
         "",
     );
-    let told = "is given instead of `clearance_in`, not beside it";
-    is_refused(&both, "clearance = \"hole\"", "clearance", told);
+    let message = "conflicts with `clearance_in`: give only one";
+    is_refused(&both, "clearance = \"hole\"", "clearance", message);
     let by_hand = with("clearance = \"hole\"", "clearance_mm = 4", "");
     let notes = read(&by_hand).unwrap().notes().concat();
     assert!(
-        notes.contains("the hole of [well] changes nothing here"),
+        notes.contains("the hole of [well] has no effect without"),
         "{notes}"
     );
     let narrow = with(
@@ -183,18 +183,18 @@ fn a_clearance_that_the_hole_cannot_leave_is_refused_with_its_line() {
         "",
     );
     let key = "string.sections[2].parts[0].contact_radius_m";
-    let told =
+    let message =
         "does not fit: its radius is 0.15 m, and at a depth of 46 m that of the hole is 0.149 m";
-    is_refused(&narrow, "contact_radius_m", key, told);
+    is_refused(&narrow, "contact_radius_m", key, message);
     let narrow = with(
         "to_m = 30, hole_radius_m = 0.2",
         "to_m = 30, hole_radius_m = 0.07",
         "",
     );
     let key = "string.sections[0].parts[1].outer_radius_m";
-    let told =
+    let message =
         "does not fit: its radius is 0.08 m, and at a depth of 29.5 m that of the hole is 0.07 m";
-    is_refused(&narrow, "length_m = 9.5", key, told);
+    is_refused(&narrow, "length_m = 9.5", key, message);
 }
 
 /// Blades and a bit of full gauge are in a hole that is a 32nd of an inch wider, and mud passes them.
@@ -209,7 +209,7 @@ fn what_drilled_the_hole_fits_it() {
     );
     let setting = read(&text).unwrap().setting;
     let found = sites(&setting);
-    // The bit is no wider than the blades beside it.
+    // The bit is no wider than the blades next to it.
     assert_eq!((found[0].0, found[0].2), (1.0, 0.4));
 }
 
@@ -219,13 +219,13 @@ fn sites_that_the_hole_does_not_reach_are_refused_with_their_line() {
         "    { from_m = 44, to_m = 60, hole_radius_m = 0.16 },\n",
         "",
     );
-    let told = "the site 1 m from the bit is at a depth of 46.5 m, and the hole ends at 44 m";
-    is_refused(&short, "holes = [", "well.holes", told);
+    let message = "the site 1 m from the bit is at a depth of 46.5 m, and the hole ends at 44 m";
+    is_refused(&short, "holes = [", "well.holes", message);
     let own = "[[sites]]\ndistance_from_bit_m = 2 # here\n";
     let short = short.replace("sites = \"all\"\n", "") + own;
-    let told = "at a depth of 45.5 m, and the hole ends at 44 m";
-    is_refused(&short, "# here", "sites[0].distance_from_bit_m", told);
-    // It does not need the hole that has a clearance of its own.
+    let message = "at a depth of 45.5 m, and the hole ends at 44 m";
+    is_refused(&short, "# here", "sites[0].distance_from_bit_m", message);
+    // A site with its own clearance does not need the hole.
     let sweep = read(&(short + "clearance_mm = 3\n")).unwrap();
     assert_eq!(sites(&sweep.setting), [(2.0, Some(0), 3.0, 0.1)]);
     // Below the collar, which just fits above, the hole is narrow.
@@ -236,18 +236,19 @@ fn sites_that_the_hole_does_not_reach_are_refused_with_their_line() {
     )
     .replace("sites = \"all\"\n", "")
         + "[[sites]]\ndistance_from_bit_m = 7.5 # here\n";
-    let told = "at a depth of 40 m, the string touches with a radius of 0.1 m, and the clearance \
+    let message = "at a depth of 40 m, the string touches with a radius of 0.1 m, and the \
+                   clearance \
                 that the hole leaves it is out of range: 0.0005 mm is not between";
-    is_refused(&touching, "# here", "sites[0].distance_from_bit_m", told);
+    is_refused(&touching, "# here", "sites[0].distance_from_bit_m", message);
 }
 
 #[test]
-fn candidates_that_are_none_or_too_many_are_refused_with_their_line() {
+fn no_candidates_or_too_many_are_refused_with_their_line() {
     let key = "wall.sites";
     let none = IN_HOLE.replace("sites = \"all\"", "sites = \"all\"\nsites_to_m = 0.6");
-    let told = "no part of the string up to 0.6 m from the bit is wider than one beside it: \
+    let message = "no part of the string up to 0.6 m from the bit is wider than its neighbours: \
                 `sites_every_m` makes";
-    is_refused(&none, "sites = \"all\"", key, told);
+    is_refused(&none, "sites = \"all\"", key, message);
     let many = IN_HOLE.replace("sites = \"all\"", "sites = \"all\"\nsites_every_m = 0.02");
     is_refused(
         &many,
@@ -274,9 +275,9 @@ fn candidates_that_are_none_or_too_many_are_refused_with_their_line() {
     let even = IN_HOLE.replace("sites = \"all\"", "sites = \"all\"\nsites_every_m = 9");
     assert!(read(&(even + cutting)).is_ok());
     let far = "[[impulses]]\ndistance_from_bit_m = 20 # here\nratio = 3\n";
-    let told = "no site is 20 m from the bit; there are sites at 37.75, 27.75, 17.75, 13.5, 1 m";
+    let message = "no site is 20 m from the bit; there are sites at 37.75, 27.75, 17.75, 13.5, 1 m";
     let at = "impulses[0].distance_from_bit_m";
-    is_refused(&(IN_HOLE.to_owned() + far), "# here", at, told);
+    is_refused(&(IN_HOLE.to_owned() + far), "# here", at, message);
     let many = IN_HOLE.replace("sites = \"all\"", "sites = \"all\"\nsites_every_m = 3") + far;
     is_refused(
         &many,
@@ -321,7 +322,7 @@ fn sites_that_cannot_be_found_are_refused() {
     ];
     assert_eq!(last[4..], bit);
     let more = |key: &str| auto.replace("sites = \"auto\"", &format!("sites = \"auto\"\n{key}"));
-    for (key, value, told) in [
+    for (key, value, message) in [
         ("sites_rounds", "0", "0 is not between 1 and 1000"),
         ("sites_rounds", "1001", "1001 is not between 1 and 1000"),
         (
@@ -331,7 +332,7 @@ fn sites_that_cannot_be_found_are_refused() {
         ),
     ] {
         let text = more(&format!("{key} = {value}"));
-        is_refused(&text, key, &format!("wall.{key}"), told);
+        is_refused(&text, key, &format!("wall.{key}"), message);
     }
     for key in ["sites_rounds = 3", "sites_tolerance_in = 0.1"] {
         let idle = auto.replace("sites = \"auto\"", key);
@@ -344,8 +345,8 @@ fn sites_that_cannot_be_found_are_refused() {
         );
     }
     let short = auto.replace("to_m = 60", "to_m = 47.2");
-    let told = "finds sites down to the bit, at a depth of 47.5 m, and the hole ends at 47.2 m";
-    is_refused(&short, "sites = \"auto\"", "wall.sites", told);
+    let message = "finds sites down to the bit, at a depth of 47.5 m, and the hole ends at 47.2 m";
+    is_refused(&short, "sites = \"auto\"", "wall.sites", message);
     let unknown = auto.replace("clearance = \"hole\"\n", "");
     let own = unknown.replace(site, &format!("{site}clearance_mm = 5\n"));
     let well = &own[own.find("[well]").unwrap()..own.find("[wall]").unwrap()];

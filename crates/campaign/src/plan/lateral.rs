@@ -27,7 +27,7 @@ pub struct LateralSettings {
     pub support: SurfaceSupport,
     /// The wall at each site, from the surface down.
     pub walls: Vec<WallSettings>,
-    /// The clearance along the string, whatever sites have: corners by depth and clearance, m,
+    /// The clearance along the string, apart from that of sites: corners by depth and clearance, m,
     /// from the surface down. Empty where only sites have one.
     pub clearances: Arc<[(f64, f64)]>,
     /// How further sites are found, where they are.
@@ -61,7 +61,7 @@ pub fn resolve(
     design: &Design,
 ) -> Result<Option<LateralSettings>, SweepFileError> {
     let table = content.string.bending.as_ref();
-    // Numbers that are not used either: whatever the file says is read back.
+    // Numbers that are not used, too: all of the file is read back.
     let bending = table.map(|table| bending(source, table)).transpose()?;
     if content.wall.is_none() {
         refuse_keys(source, content, design)?;

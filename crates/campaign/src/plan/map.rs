@@ -16,7 +16,7 @@ pub struct MapSettings {
     pub x: Axis,
     /// Axis upwards.
     pub y: Axis,
-    /// A measure drawn as colour, on maps of its own.
+    /// A measure drawn as colour, on separate maps.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<Measure>,
     /// Cases pointed out.
@@ -26,7 +26,7 @@ pub struct MapSettings {
 /// A case pointed out on the map.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MapMark {
-    /// What is written beside it.
+    /// What is written next to it.
     pub name: String,
     /// Its value along the axis to the right.
     pub x: f64,
@@ -37,7 +37,7 @@ pub struct MapMark {
 /// The map of a design with two axes or more.
 ///
 /// # Errors
-/// Where an axis is none of the design's, or a mark has no place.
+/// Where an axis does not belong to the design, or a mark has no place.
 pub fn resolve(
     source: &Source,
     content: &FileContent,

@@ -15,7 +15,7 @@ const ELEMENTS_OF_CELL: f64 = 20.0;
 const LONGEST_CELL: f64 = 12.0;
 
 /// Elements per cell of the drillpipe as the file divides it, where it does not give them: of the
-/// length that they have in a cell of the string whatever its lengths are divided into.
+/// length that they have in a cell of the string, however its lengths are divided.
 pub fn usual_elements(string: &Drillstring) -> usize {
     let given = string.drillpipe().cell_length();
     let whole = merged(string).map_or(given, |whole| whole.drillpipe().cell_length());
@@ -25,8 +25,8 @@ pub fn usual_elements(string: &Drillstring) -> usize {
     (elements as usize).min(MOST_ELEMENTS_PER_CELL)
 }
 
-/// The methods. Parameters of the others are looked at too: finite elements draw the whole
-/// string whatever it is stepped by, and whatever the file says is read back.
+/// The methods. Parameters of the others are checked too: finite elements draw the whole string for
+/// every method, and all of the file is read back.
 ///
 /// # Errors
 /// Where one is refused.

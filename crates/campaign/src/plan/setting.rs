@@ -1,6 +1,5 @@
-//! What a linear system is built from: the string, where it is looked at, and
-//! how fast it is sampled. A sweep has one, or one for each value of the axes that
-//! change the string.
+//! What a linear system is built from: the string, where it is observed, and how fast it is
+//! sampled. A sweep has one, or one for each value of the axes that change the string.
 
 use std::borrow::Cow;
 
@@ -19,11 +18,10 @@ use crate::design::Design;
 use crate::quantities::Axis;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
 
-/// Time for which a response to a step at the surface is looked at, in round trips of a
-/// wave.
+/// Time for which a response to a step at the surface is shown, in round trips of a wave.
 const ROUND_TRIPS_SHOWN: f64 = 5.0;
 
-/// What was recorded is known for so long after the last step of a case, s: its acceleration is
+/// What was recorded is known for this time after the last step of a case, s: its acceleration is
 /// taken around that.
 const AFTER_THE_LAST: f64 = 1.0;
 
@@ -41,7 +39,7 @@ pub struct Setting {
     pub steps_per_travel: Option<f64>,
     /// How the surface turns, in parts of the speed of a case.
     pub profile: SurfaceProfile,
-    /// Inertia of a rotor that is held at that whatever it takes, kg m².
+    /// Inertia of a rotor that is held at that speed at any torque, kg m².
     pub rotor_inertia: f64,
     /// Friction along the string, where that is modelled.
     pub friction: Option<StringFriction>,
@@ -54,10 +52,10 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// What labels and measures need of this: without a wall only the bit has any, and
-    /// places that are just looked at are left to whoever draws them.
+    /// What labels and measures need of this: without a wall only the bit has any, and places that
+    /// are only observed are left to drawings.
     pub fn for_labels(&self) -> Cow<'_, Self> {
-        // Friction has nodes of its own, whatever is looked at.
+        // Friction has its own nodes, independent of those observed.
         if self.lateral.is_some() || self.friction.is_some() || self.sites.len() == 1 {
             return Cow::Borrowed(self);
         }
@@ -67,7 +65,7 @@ impl Setting {
         })
     }
 
-    /// Samples of a response to a step that are looked at, however short the cases are.
+    /// Samples of a response to a step that are shown, even for short cases.
     pub fn steps_shown(&self) -> usize {
         let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&self.string);
         (shown * self.sampling_frequency).ceil() as usize
@@ -180,7 +178,7 @@ impl Setting {
         )
     }
 
-    /// The sampling frequency, Hz, that a file which gives none has; `cuts` says whether a torque
+    /// The sampling frequency, Hz, of a file that does not give one; `cuts` says whether a torque
     /// acts on the bit.
     pub fn frequency_by_rule(&self, cuts: bool) -> f64 {
         sampling::by_rule(&self.string, &self.needs(cuts))

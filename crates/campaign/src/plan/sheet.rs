@@ -5,7 +5,7 @@ use linear::Tube;
 
 use super::sweep::Sweep;
 use crate::quantities::{FOOT, INCH, POUND};
-use crate::sweep_file::Kind;
+use crate::sweep_file::ToolKind;
 
 /// One pound per foot, kg/m.
 pub const POUND_PER_FOOT: f64 = POUND / FOOT;
@@ -20,7 +20,7 @@ const WIDEST_PIPE_IN: f64 = 6.625;
 /// The bore of drill pipe is more than this part of its diameter, that of collars less.
 const THIN_WALLED: f64 = 0.7;
 
-/// A joint is no longer than this part of the body beside it; a tool joint on a single
+/// A joint is no longer than this fraction of the body next to it; a tool joint on a single
 /// of pipe is a twentieth.
 const JOINT: f64 = 0.2;
 
@@ -37,7 +37,7 @@ impl Sweep {
             let row = (self.sheet.as_ref()).and_then(|sheet| Some((sheet, sheet.rows.get(index)?)));
             for (place, part) in section.parts.iter().enumerate() {
                 // Tools on a sheet may be wider than pipe.
-                let is_tool = row.is_some_and(|(_, row)| row.kind == Kind::Tool);
+                let is_tool = row.is_some_and(|(_, row)| row.kind == ToolKind::Tool);
                 let Some(doubt) = self.doubt(part, &section.parts, is_tool) else {
                     continue;
                 };

@@ -1,4 +1,4 @@
-//! The places on the string that are looked at, or where the wall may be touched.
+//! The places on the string that are observed, or where the wall may be touched.
 
 use linear::{Drillstring, Sites};
 
@@ -9,7 +9,7 @@ use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 /// More candidates than this are more than anybody waits for.
 const MOST_CANDIDATES: usize = 2000;
 
-/// So many sites are listed in a message, of more the nearest.
+/// The most sites listed in a message; of more, the nearest.
 const MOST_LISTED: usize = 12;
 
 /// The sites of a string.
@@ -74,7 +74,7 @@ fn given(
     string: &Drillstring,
 ) -> Result<Vec<(f64, Option<usize>)>, SweepFileError> {
     let mut places = Vec::with_capacity(content.sites.len());
-    // Without a wall, the bit is always looked at.
+    // Without a wall, the bit is always observed.
     let has_bit = content.wall.is_none();
     if has_bit {
         places.push((0.0, None));
@@ -127,7 +127,8 @@ fn candidates(
     let within =
         (wall.sites_to_m).map_or_else(String::new, |to| format!(" up to {to} m from the bit"));
     let message = format!(
-        "no part of the string{within} is wider than one beside it: `sites_every_m` makes sites at \
+        "no part of the string{within} is wider than its neighbours: `sites_every_m` makes sites \
+         at \
          even distances, and a part's `contact_radius_m` makes it wide"
     );
     source.refuse_if(found.is_empty(), "wall.sites", message)?;

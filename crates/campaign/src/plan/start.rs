@@ -2,7 +2,7 @@
 //!
 //! Asked of a map is whether stick-slip can last. So a case begins as one does in which the bit
 //! has just been held, unless its file says otherwise: the string winds up steadily, the torque on
-//! the bit has come to T_s, and it breaks loose.
+//! the bit has reached T_s, and it breaks loose.
 
 use linear::Drillstring;
 use linear::steady::{rotation, rotation_speed, winding};
@@ -55,7 +55,7 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Starts, SweepFi
     Ok(Starts { name, disturbance })
 }
 
-/// Why the cases of a file begin at rest, whatever it says, if they do.
+/// Why the cases of a file can begin at rest only, if so.
 fn rest_only(content: &FileContent) -> Option<&'static str> {
     if content.bit.is_none() {
         return Some("needs a table [bit]: without a torque on the bit there is no other start");
@@ -126,7 +126,7 @@ impl Starts {
     }
 
     /// The start that may lead to another label: smooth rotation, or that of a bit which has been
-    /// held; none where cases begin both ways, or at rest whatever the file says.
+    /// held; `None` where cases begin both ways, or can begin at rest only.
     pub fn otherwise(&self, content: &FileContent) -> Option<Self> {
         let name = match self.name {
             _ if rest_only(content).is_some() => return None,

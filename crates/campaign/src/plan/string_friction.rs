@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use linear::well::{PressedBy, SideForce, WindingUp, least_pieces};
+use linear::well::{PressedBy, QuasiStaticTwist, SideForce, least_pieces};
 use linear::{Drillstring, Mud, Sites};
 use sim::PipeFriction;
 
@@ -25,12 +25,12 @@ const WEIGHTS: usize = 9;
 #[derive(Debug, Clone)]
 pub struct StringFriction {
     /// Where torques act: in the middle of each piece, and at the bit; and the places that are
-    /// looked at.
+    /// observed.
     pub nodes: Sites,
     /// The piece of each node, where it is the middle of one.
     piece_of: Vec<Option<usize>>,
-    /// Nodes of the sites that are looked at.
-    pub looked_at: Vec<usize>,
+    /// Nodes of the sites that are observed.
+    pub observed: Vec<usize>,
     pieces: usize,
     /// Whether these follow from a tolerance: friction then is divided between them as finely as
     /// they are cut. Where their number is given it stays as it was added up, so that the answers
@@ -90,7 +90,7 @@ impl StringFriction {
     }
 
     /// By how much the torque at the surface is off for that, in parts of that at which the string
-    /// breaks loose ([`WindingUp::off_by`]).
+    /// breaks loose ([`QuasiStaticTwist::off_by`]).
     pub fn off_by(&self) -> f64 {
         self.off_by
     }
@@ -129,7 +129,7 @@ pub fn resolve(
             let key = "string_friction.tolerance";
             source.within(key, tolerance, 1e-4, 0.1, "")?;
             let windings = weights.iter().map(|weight| force.wound_up(*weight));
-            let windings: Vec<WindingUp> = windings.collect();
+            let windings: Vec<QuasiStaticTwist> = windings.collect();
             let pieces = least_pieces(&windings, tolerance, MOST_PIECES);
             (key, source.checked(key, pieces)?)
         }
@@ -151,7 +151,7 @@ pub fn resolve(
     Ok(Some(StringFriction {
         nodes: Sites::new(string, &distances).map_err(error)?,
         piece_of: nodes.iter().map(|(_, piece)| *piece).collect(),
-        looked_at: sites.distances_from_bit().iter().filter_map(at).collect(),
+        observed: sites.distances_from_bit().iter().filter_map(at).collect(),
         pieces,
         by_tolerance,
         off_by,
@@ -161,8 +161,7 @@ pub fn resolve(
     }))
 }
 
-/// Torque on each piece per coefficient of friction, N m; so many, which may follow from a
-/// tolerance.
+/// Torque on each piece per coefficient of friction, N m; their number may follow from a tolerance.
 fn friction_torques(
     force: &SideForce,
     (pieces, by_tolerance): (usize, bool),

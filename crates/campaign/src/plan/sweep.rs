@@ -45,7 +45,7 @@ pub struct Sweep {
     pub choice: Option<Choice>,
     /// How cases begin.
     pub starts: Starts,
-    /// Time simulated, s; by default until the regime can be told.
+    /// Time simulated, s; by default until the regime is decided.
     pub time: AutoOr,
     /// Torque at the bit, where it is modelled.
     pub bit: Option<Bit>,
@@ -74,8 +74,8 @@ impl Sweep {
         Self::read_from(path, &[], &read_text)
     }
 
-    /// The same from any source of texts, with these methods, if there are any, in place
-    /// of the file's, whatever those are.
+    /// The same from any source of texts, with these methods, if there are any, instead of the
+    /// file's.
     ///
     /// # Errors
     /// As [`Sweep::read`], and where the file asks for an accuracy, which chooses the
@@ -168,8 +168,8 @@ impl Sweep {
         })
     }
 
-    /// The same sweep as a run has it, which certifies labels where it is asked to; whoever
-    /// only looks at cases does not.
+    /// The same sweep as a run has it, which certifies labels where it is asked to; other commands
+    /// do not.
     ///
     /// # Errors
     /// Where the methods that it is left with cannot.
@@ -303,7 +303,7 @@ impl Sweep {
     }
 
     /// The setting with some quantities given, of a string that nothing disturbs and that has its
-    /// sites at these distances from the bit (m), whatever sites the file has: the wall at each is
+    /// sites at these distances from the bit (m), instead of those of the file: the wall at each is
     /// that of all sites.
     ///
     /// # Errors

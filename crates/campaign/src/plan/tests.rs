@@ -63,7 +63,7 @@ fn a_grid_that_is_too_large_is_not_filled() {
 }
 
 #[test]
-fn a_message_is_one_line_whatever_the_file_says() {
+fn a_message_is_one_line_for_any_file() {
     for text in [
         "\"a\\nb\\u001b[31m\" = 1",
         "[bit]\nrock = \"a\\r\\nb\"",
@@ -90,13 +90,13 @@ fn a_long_file_is_read_at_once() {
     assert!(start.elapsed() < Duration::from_secs(10));
 }
 
-/// Places that are only looked at cost a run nothing.
+/// Places that are only observed cost a run nothing.
 #[test]
 fn labels_need_the_bit_alone_where_there_is_no_wall() {
     let bit = "[bit]\ntorque_dynamic_nm = 2000\n";
-    let looked_at = read(&format!("sites = [{{ distance_from_bit_m = 50 }}]\n{bit}")).unwrap();
-    assert_eq!(looked_at.setting.sites.len(), 2);
-    assert_eq!(looked_at.setting.for_labels().sites.len(), 1);
+    let observed = read(&format!("sites = [{{ distance_from_bit_m = 50 }}]\n{bit}")).unwrap();
+    assert_eq!(observed.setting.sites.len(), 2);
+    assert_eq!(observed.setting.for_labels().sites.len(), 1);
     let touching = read(
         "sites = [{ distance_from_bit_m = 50 }, { distance_from_bit_m = 0 }]\n\
          [wall]\nclearance_mm = 15\nfriction = 0.5\n",
@@ -106,7 +106,7 @@ fn labels_need_the_bit_alone_where_there_is_no_wall() {
 }
 
 #[test]
-fn a_site_may_have_friction_of_its_own_that_falls() {
+fn a_site_may_have_its_own_friction_that_falls() {
     let sweep = read(
         "sites = [{ distance_from_bit_m = 10, friction_dynamic_ratio = 0.3 }, \
          { distance_from_bit_m = 0, friction_stribeck_m_s = 2 }]\n\
@@ -293,8 +293,11 @@ fn labels_are_certified_by_two_methods_that_share_no_equation() {
     }
     let text = "methods = [\"hilbert\", \"finite-element\", \"held\"]\ncertify = true\n";
     let sweep = read(text).unwrap();
-    assert_eq!(sweep.certifying, None, "nobody runs it");
+    assert_eq!(sweep.certifying, None, "it is not run");
     assert_eq!(sweep.for_run().unwrap().certifying, Some([2, 1]));
     let both = message("accuracy = 0.1\ncertify = true\n");
-    assert!(both.contains("is given instead of `certify`"), "{both}");
+    assert!(
+        both.contains("conflicts with `certify`: give only one"),
+        "{both}"
+    );
 }

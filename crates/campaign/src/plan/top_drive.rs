@@ -6,7 +6,7 @@ use linear::{Drillstring, TopDrive, controllers};
 use crate::sweep_file::{ControllerName, FileContent, Source, SweepFileError, TopDriveTable};
 
 /// The string below the drive of the file, where that has one; and the inertia (kg m²) of a
-/// rotor that turns at a speed whatever it takes.
+/// rotor that turns at a speed at any torque.
 ///
 /// # Errors
 /// Where a number of it is refused.
@@ -106,7 +106,7 @@ fn drive(
     Ok((Some(drive), left))
 }
 
-/// Gains beside a preset that has its own would be ignored.
+/// Gains together with a preset, which has its own, would be ignored.
 fn refuse_idle(source: &Source, table: &TopDriveTable) -> Result<(), SweepFileError> {
     let has_own = |controller| match controller {
         ControllerName::Gains => [false, false],

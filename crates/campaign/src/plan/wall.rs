@@ -117,7 +117,7 @@ fn left_by_hole(
 ) -> Result<f64, SweepFileError> {
     let distance = contact.distance_from_bit;
     if !content.clearance_is_of_hole() {
-        // Where an axis gives it too: I₀ is told of the string as the file says it.
+        // Also where an axis gives it: I₀ is that of the string in the file.
         let message = format!("the site {distance} m from the bit has no clearance");
         return Err(source.error("wall", message));
     }

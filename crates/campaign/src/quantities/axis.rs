@@ -18,7 +18,7 @@ pub enum Axis {
     ImpulseRatio,
     /// A quantity of the borehole wall, at every site.
     Wall(WallQuantity),
-    /// The same at one site, whatever it is at every site.
+    /// The same at one site, independent of its value at every site.
     WallAtSite {
         /// Which site, counted from 0 in the order of the file.
         site: usize,
@@ -39,8 +39,7 @@ pub enum Axis {
     Rock(RockConstant),
 }
 
-/// A quantity of the borehole wall. The exponent of Hertz' law is none: the law of the wall is
-/// that of 3/2.
+/// A quantity of the borehole wall. The exponent of Hertz' law is not among them: it is always 3/2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum WallQuantity {
     /// Clearance c between string and wall.
@@ -115,8 +114,8 @@ impl RockConstant {
     ];
 }
 
-/// A quantity of the string that a design varies: each value needs a linear system of
-/// its own. Sections, parts and sites are counted from 0, in the order of the file.
+/// A quantity of the string that a design varies: each value needs a separate linear system.
+/// Sections, parts and sites are counted from 0, in the order of the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum StringAxis {
     /// Distributed torsional damping c_t.
@@ -205,7 +204,7 @@ impl Axis {
     }
 
     /// Whether it changes what a weight on bit or a torque means for the bit: each of its values
-    /// has a limit of stick-slip of its own.
+    /// has its own limit of stick-slip.
     pub fn changes_bit(self) -> bool {
         matches!(self, Axis::TorqueStaticRatio | Axis::Rock(_))
     }
@@ -215,9 +214,9 @@ impl Axis {
         matches!(self, Axis::Wall(_) | Axis::WallAtSite { .. })
     }
 
-    /// Whether each of its values has a limit of whirl of its own, over the friction of every
-    /// site. How friction falls matters to none: what rolls needs the static coefficient, what
-    /// slides no less.
+    /// Whether each of its values has its own limit of whirl, over the friction of every site. How
+    /// friction falls does not matter: what rolls needs the static coefficient, what slides no
+    /// less.
     pub fn changes_whirl_limit(self) -> bool {
         use WallQuantity::{Clearance, Friction, Stiffness};
         matches!(

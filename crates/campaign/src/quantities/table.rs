@@ -324,7 +324,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_name_is_none() {
+    fn an_unknown_name_is_rejected() {
         for name in [
             "",
             "section_repeat",

@@ -97,12 +97,12 @@ impl Unit {
         text.parse().unwrap_or(number)
     }
 
-    /// Decimals here that tell about as much as so many in SI; no fewer.
+    /// Decimals here of about the same resolution as a number of decimals in SI; no fewer.
     pub fn decimals(&self, in_si: usize) -> usize {
         in_si + self.size.log10().round().max(0.0) as usize
     }
 
-    /// A number in so many decimals in SI, with the unit.
+    /// A number with a number of decimals in SI, with the unit.
     pub fn text(&self, value: f64, in_si: usize) -> String {
         let (number, decimals) = (self.number(value), self.decimals(in_si));
         format!("{number:.decimals$} {}", self.name)

@@ -25,8 +25,8 @@ pub enum Group {
     Certificate,
     /// How the bit turns from each start, where cases begin in both ways.
     Starts,
-    /// The sites that a case was found to have besides those of the file, with `;` between them,
-    /// and how often it was run again for them.
+    /// The sites that were found for a case in addition to those of the file, with `;` between
+    /// them, and how often it was run again for them.
     Found,
 }
 
@@ -62,17 +62,17 @@ pub struct ResultColumn {
     pub is_severity: bool,
     /// The unit of its numbers; empty where they have none.
     pub(super) unit: &'static str,
-    field: fn(&Row) -> Field<'static>,
+    field: fn(&RecordRow) -> Field<'static>,
 }
 
 /// A record, with what is certain of it.
-pub struct Row<'a> {
+pub struct RecordRow<'a> {
     pub(super) record: &'a Record,
     pub(super) outcome: Option<&'a Outcome>,
     pub(super) certainty: Certainty,
 }
 
-type FieldOf = fn(&Row) -> Field<'static>;
+type FieldOf = fn(&RecordRow) -> Field<'static>;
 
 const fn column(
     name: &'static str,
@@ -149,7 +149,7 @@ impl ResultColumn {
     }
 
     /// What a row has in it.
-    pub fn field(&self, row: &Row) -> Field<'static> {
+    pub fn field(&self, row: &RecordRow) -> Field<'static> {
         (self.field)(row)
     }
 
@@ -171,7 +171,7 @@ impl ResultColumn {
     }
 }
 
-impl<'a> Row<'a> {
+impl<'a> RecordRow<'a> {
     /// Of a record.
     pub fn new(record: &'a Record, certainty: Certainty) -> Self {
         Self {

@@ -8,7 +8,7 @@ mod measure;
 mod record;
 mod verdict;
 
-pub use column::{Group, Needs, ResultColumn, Row, to_kn, to_mm, to_rpm, to_turns};
+pub use column::{Group, Needs, RecordRow, ResultColumn, to_kn, to_mm, to_rpm, to_turns};
 pub use columns::{COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES};
 pub use field::{Field, Kind};
 pub use measure::Measure;

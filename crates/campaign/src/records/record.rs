@@ -28,7 +28,7 @@ impl Failure {
     }
 }
 
-/// The sites that a case was found to have besides those of the file.
+/// The sites that were found for a case in addition to those of the file.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Found {
     /// Their distances from the bit, m, from the bit up.

@@ -44,7 +44,7 @@ pub fn verdict(outcome: &Outcome, above_limit: Option<f64>) -> Verdict {
     })
 }
 
-/// What verdicts on one case make certain, by whatever methods and sampling frequencies: that
+/// What verdicts on one case make certain, by any methods and sampling frequencies: that
 /// all have the same label of a motion, and that each measure which decides it is further on its
 /// side of where the label changes than they differ in it.
 pub fn certified_by(verdicts: &[Verdict]) -> Labels {

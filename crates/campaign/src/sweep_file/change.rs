@@ -16,25 +16,25 @@ pub enum NoPlace {
     /// Its string has no bending constants.
     #[error("needs a table [string.bending]")]
     Bending,
-    /// Its string has only so many sections.
+    /// Its string does not have this section.
     #[error("the string has {0} sections, from 0")]
     Section(usize),
-    /// A section has only so many parts.
+    /// A section does not have this part.
     #[error("section {0} has {1} parts, from 0")]
     Part(usize, usize),
     /// The surface turns as prescribed.
     #[error("needs a table [top_drive]")]
     TopDrive,
-    /// Its controller has gains of its own.
+    /// Its controller has its own gains.
     #[error("needs `controller = \"gains\"` in [top_drive]")]
     Gains,
     /// There is no fluid.
     #[error("needs a table [mud]")]
     Mud,
-    /// It has only so many eccentric masses.
+    /// It does not have this eccentric mass.
     #[error("the file has {0} [[eccentric_masses]], from 0")]
     EccentricMass(usize),
-    /// It has only so many sites.
+    /// It does not have this site.
     #[error("the file has {0} [[sites]], from 0")]
     Site(usize),
 }

@@ -10,8 +10,8 @@ pub struct CompareTable {
     /// What is simulated. The speed of the surface is followed with `[string_friction]` alone.
     /// The column is empty where a case ends before `to_s`.
     pub trace: TraceName,
-    /// What was recorded: a CSV file or a workbook with a column of times, beside the file that
-    /// names it.
+    /// What was recorded: a CSV file or a workbook with a column of times, in the folder of the
+    /// file that names it.
     pub file: String,
     /// Its column, in a unit of speed (`speed_rpm`, `RPM (rad/s)`) or of torque (`torque_knm`,
     /// `Torque (kft-lb)`).

@@ -80,7 +80,8 @@ pub struct DesignTable {
     /// Seed of random points, and of those that a trace draws where a limit is ragged; left
     /// out, 0. A point depends on seed and number alone.
     pub seed: Option<u64>,
-    /// The CSV file of a list, beside the file that names it. Its header names axes; lines with
+    /// The CSV file of a list, in the folder of the file that names it. Its header names axes;
+    /// lines with
     /// # are comments.
     pub file: Option<PathBuf>,
     /// Step of a trace along the limits, a part of either axis; left out, 0.005.

@@ -88,7 +88,7 @@ pub struct FileContent {
     /// Torque at the bit; without it the bit is free.
     pub bit: Option<BitTable>,
     /// With a wall, where the string may touch it, together with the candidates of `[wall]`;
-    /// without, what `simulate` draws besides the bit.
+    /// without, what `simulate` draws in addition to the bit.
     #[serde(default)]
     pub sites: Vec<SiteTable>,
     /// The borehole wall; without it lateral motion is not modelled.
@@ -155,7 +155,7 @@ impl FileContent {
     /// Whether the bit is one of the sites.
     pub fn bit_is_site(&self) -> bool {
         let is_given = (self.sites.iter()).any(|site| site.distance_from_bit_m == 0.0);
-        // Candidates at every so many metres begin there.
+        // Candidates at even distances begin there.
         let candidates = self.wall_with_candidates();
         is_given || candidates.is_some_and(|wall| wall.sites_every_m.is_some())
     }

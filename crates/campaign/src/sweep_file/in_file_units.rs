@@ -75,7 +75,7 @@ impl FileUnits {
     /// What a number in a unit is shown in, and how much of that unit it is.
     fn shown(&self, number: f64, unit: &str) -> Option<(&'static str, f64)> {
         let of_key = self.of_key.filter(|twin| twin.units[0] == unit);
-        // Depths are in feet, whatever the key is in.
+        // Depths are in feet, for any unit of the key.
         let is_across = |twin: &&Twin| twin.units == LENGTH.units || number.abs() < MOST_ACROSS;
         let of_key = of_key.filter(|twin| unit != LENGTH.units[0] || is_across(twin));
         let of_file = TWINS
@@ -220,14 +220,14 @@ mod tests {
 
     #[test]
     fn of_a_file_in_si_units_one_value_may_be_in_others() {
-        let told = |key: &str, message: &str| FileUnits::new(false, key).convert(message);
-        assert_eq!(told("a.length_ft", "3.048 m, 5 kN"), "10 ft, 5 kN");
-        assert_eq!(told("a.length_m", "18287.999999999996 m"), "18288 m");
+        let converted = |key: &str, message: &str| FileUnits::new(false, key).convert(message);
+        assert_eq!(converted("a.length_ft", "3.048 m, 5 kN"), "10 ft, 5 kN");
+        assert_eq!(converted("a.length_m", "18287.999999999996 m"), "18288 m");
         assert_eq!(
-            told("a.outer_diameter_mm", "0.05 m of `length_m`"),
+            converted("a.outer_diameter_mm", "0.05 m of `length_m`"),
             "50 mm of `length_m`"
         );
-        assert_eq!(told("a", "case 3 of 1.5"), "case 3 of 1.5");
+        assert_eq!(converted("a", "case 3 of 1.5"), "case 3 of 1.5");
     }
     /// A file may name a key as long as it is itself.
     #[test]

@@ -14,7 +14,7 @@ pub struct MapTable {
     pub x: Option<Axis>,
     /// The axis upwards; left out, the first axis of the design.
     pub y: Option<Axis>,
-    /// A measure of `labels.csv`, drawn as colour on maps beside those of the regimes.
+    /// A measure of `labels.csv`, drawn as colour on maps in addition to those of the regimes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub colour: Option<Measure>,
     /// Cases to point out.
@@ -25,7 +25,7 @@ pub struct MapTable {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MarkTable {
-    /// What is written beside it.
+    /// What is written next to it.
     pub name: String,
     /// Surface speed.
     #[schemars(range(min = 1e-4, max = 1e4))]

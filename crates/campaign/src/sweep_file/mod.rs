@@ -27,7 +27,7 @@ pub mod units;
 pub mod well;
 pub mod wording;
 
-pub use bha_sheet::{Kind, SheetNotes, put_sections};
+pub use bha_sheet::{SheetNotes, ToolKind, put_sections};
 pub use bit::{BitTable, LawTable, RockName};
 pub use change::NoPlace;
 pub use compare::{CompareTable, Extreme, TraceName};

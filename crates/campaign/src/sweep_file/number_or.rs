@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 /// Reads such a value.
 struct NumberOr<Value> {
-    /// What is meant, as a user is told.
+    /// What is meant, in messages.
     expected: &'static str,
     /// What a number means.
     of_number: fn(f64) -> Value,

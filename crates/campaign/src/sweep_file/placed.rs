@@ -19,12 +19,12 @@ pub struct Place {
 
 /// Where a value and what is in it stand.
 #[derive(Debug, Clone)]
-pub struct Places {
+pub struct KeyPlaces {
     own: Place,
     /// The key as it was written, where that is in other units.
     written: Option<String>,
-    keys: BTreeMap<String, Places>,
-    items: Vec<Places>,
+    keys: BTreeMap<String, KeyPlaces>,
+    items: Vec<KeyPlaces>,
 }
 
 /// A table with the places of its values.
@@ -32,7 +32,7 @@ pub struct Places {
 pub struct Placed {
     /// The values.
     pub table: toml::Table,
-    places: BTreeMap<String, Places>,
+    places: BTreeMap<String, KeyPlaces>,
 }
 
 impl Placed {
@@ -71,15 +71,15 @@ impl Placed {
     }
 
     /// Puts a value into a table, as if it stood where another key of it does.
-    pub fn put_beside(&mut self, table: &str, beside: &str, key: &str, value: toml::Value) {
+    pub fn put_next_to(&mut self, table: &str, neighbour: &str, key: &str, value: toml::Value) {
         if let Some(toml::Value::Table(values)) = self.table.get_mut(table) {
             values.insert(key.to_owned(), value);
         }
         if let Some(places) = self.places.get_mut(table)
-            && let Some(place) = places.keys.get(beside)
+            && let Some(place) = places.keys.get(neighbour)
         {
-            let place = Places {
-                written: Some(beside.to_owned()),
+            let place = KeyPlaces {
+                written: Some(neighbour.to_owned()),
                 ..place.clone()
             };
             places.keys.insert(key.to_owned(), place);
@@ -106,7 +106,7 @@ impl Placed {
     }
 }
 
-/// A key beside another that says the same.
+/// A key that conflicts with another of the same quantity.
 #[derive(Debug)]
 pub struct Twice {
     /// Where it stands.
@@ -117,10 +117,10 @@ pub struct Twice {
     pub other: String,
 }
 
-impl Places {
-    /// What a path goes on to in this, with what is written before its name, that name, and
-    /// the rest of the path.
-    fn child<'a>(&self, path: &'a str) -> Option<(&Places, &'a str, &'a str, &'a str)> {
+impl KeyPlaces {
+    /// The next table on a path, with what is written before its name, that name, and the rest of
+    /// the path.
+    fn child<'a>(&self, path: &'a str) -> Option<(&KeyPlaces, &'a str, &'a str, &'a str)> {
         if path.starts_with('[') {
             let (index, rest) = path.split_at(path.find(']')? + 1);
             let item = self
@@ -135,9 +135,9 @@ impl Places {
 
 /// What a path begins with, its name, and the rest of the path. A key may have a dot in it.
 fn key_of<'p, 'a>(
-    keys: &'p BTreeMap<String, Places>,
+    keys: &'p BTreeMap<String, KeyPlaces>,
     path: &'a str,
-) -> Option<(&'p Places, &'a str, &'a str)> {
+) -> Option<(&'p KeyPlaces, &'a str, &'a str)> {
     let ends = path.match_indices(['.', '[']).map(|(end, _)| end);
     ends.chain([path.len()])
         .find_map(|end| Some((keys.get(&path[..end])?, &path[..end], &path[end..])))
@@ -195,8 +195,8 @@ impl Layer<'_> {
         &self,
         value: &Spanned<DeValue>,
         mut below: Placed,
-    ) -> Result<(toml::Value, Places), Twice> {
-        let mut places = Places {
+    ) -> Result<(toml::Value, KeyPlaces), Twice> {
+        let mut places = KeyPlaces {
             own: self.place(value.span().start),
             written: None,
             keys: BTreeMap::new(),

@@ -9,7 +9,7 @@ use super::source::{Source, TextOf};
 use super::wording::nearest;
 use crate::tables::{Columns, Dimension, Heading, Row, Table, Wanted};
 
-/// What is read of a recording besides its values.
+/// What is read of a recording in addition to its values.
 const TIME: [Wanted<()>; 1] = [Wanted {
     quantity: (),
     names: &[
@@ -71,7 +71,7 @@ pub fn read_series(
             samples.lines.push(row.line);
         }
     }
-    let notes = passed_over(file, &named.table, (values.0, samples.times.len()));
+    let notes = ignored(file, &named.table, (values.0, samples.times.len()));
     let lines = samples.lines;
     if let Some((index, gap)) = gap(&samples.times) {
         let message = format!("nothing was recorded for {gap} s before this");
@@ -91,7 +91,7 @@ pub fn read_series(
 
 /// Rows of comments, and rows without a value in the column at a place, in words; `kept` is the
 /// number of rows that were read.
-fn passed_over(file: &str, table: &Table, (place, kept): (usize, usize)) -> Vec<String> {
+fn ignored(file: &str, table: &Table, (place, kept): (usize, usize)) -> Vec<String> {
     let comments = (!table.comments.is_empty()).then(|| comments_words(file, &table.comments));
     let (all, name) = (table.rows.len(), &table.headings[place].text);
     let gaps = (kept < all).then(|| {

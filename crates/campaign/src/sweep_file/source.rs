@@ -17,11 +17,10 @@ use super::wording::{in_words, keys_of};
 use crate::quantities::{Axis, within};
 use crate::text_file::LARGEST_SWEEP_FILE;
 
-/// More files than this, each the base of the one before, are a mistake of whoever
-/// writes them.
+/// More files than this, each the base of the one before, are a mistake.
 const MOST_FILES: usize = 64;
 
-/// The key of a table that says what one in SI units does, in whatever unit it is.
+/// The key of a table that says what one in SI units does, in any unit.
 fn key_as_written<'a, 'text>(
     table: &'a DeTable<'text>,
     name: &str,
@@ -66,8 +65,8 @@ impl Source {
     }
 
     /// Puts a value into a table, as if it stood where another key of it does.
-    pub fn put_beside(&mut self, table: &str, beside: &str, key: &str, value: toml::Value) {
-        self.merged.put_beside(table, beside, key, value);
+    pub fn put_next_to(&mut self, table: &str, neighbour: &str, key: &str, value: toml::Value) {
+        self.merged.put_next_to(table, neighbour, key, value);
     }
 
     /// What the files say at a key of a table, where they say anything.
@@ -256,7 +255,7 @@ impl Source {
                 [Some(key), Some(other)] => {
                     let line = lines.of(key.span().start);
                     let other = other.get_ref();
-                    let message = format!("is given instead of `{other}`, not beside it");
+                    let message = format!("conflicts with `{other}`: give only one");
                     return Err(unusable(Some(line), Some(key.get_ref()), message));
                 }
                 [Some(_), None] => self.merged.remove_in(table, other),

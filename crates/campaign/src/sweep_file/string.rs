@@ -22,8 +22,8 @@ pub struct StringTable {
     pub torsional_damping_nms_rad_m: f64,
     /// Constants of bending; needed with a wall.
     pub bending: Option<BendingTable>,
-    /// Instead of `sections`: a BHA sheet, a CSV file or a workbook beside the file that names
-    /// it.
+    /// Instead of `sections`: a BHA sheet, a CSV file or a workbook in the folder of the file that
+    /// names it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
     /// In which order the rows of the sheet are. Left out, the names of its rows decide or,

@@ -107,7 +107,7 @@ const SURVEY: [Wanted<OfSurvey>; 3] = [
 pub struct SurveyNotes {
     /// What it does not say, and may mean.
     pub doubts: Vec<String>,
-    /// What was passed over.
+    /// What was ignored.
     pub notes: Vec<String>,
 }
 

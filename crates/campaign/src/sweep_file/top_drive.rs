@@ -16,7 +16,7 @@ pub struct TopDriveTable {
     /// K_p, with `gains`.
     #[schemars(range(min = 1e-6, max = 1e6))]
     pub proportional_gain_knms_rad: Option<f64>,
-    /// K_i, with `gains`; or, with `impedance-matched`, instead of its own.
+    /// K_i, with `gains`; or, with `impedance-matched`, instead of the default.
     #[schemars(range(min = 1e-6, max = 1e6))]
     pub integral_gain_knm_rad: Option<f64>,
     /// The part of the inertia that the controller makes up for by the measured acceleration:

@@ -89,7 +89,7 @@ pub fn axis_in_units(name: &str) -> Result<(Axis, f64), UnknownAxis> {
     }
 }
 
-/// What was meant by a word that is none of the choices: one without its unit, or
+/// What was meant by a word that is not among the choices: one without its unit, or
 /// one misspelt.
 pub fn nearest<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
     let begins = |choice: &&&str| {

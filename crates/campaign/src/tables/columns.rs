@@ -16,7 +16,7 @@ pub struct Wanted<Q: 'static> {
     pub dimension: Option<Dimension>,
     /// Where a table cannot do without it: what is missing then, in words.
     pub needed: Option<&'static str>,
-    /// The unit of numbers under a heading that names none, as it is told.
+    /// The unit of numbers under a heading without a unit, as it is reported.
     pub assumed: Option<&'static str>,
 }
 
@@ -38,7 +38,7 @@ pub struct Column<Q> {
 pub struct Columns<Q> {
     known: Vec<Column<Q>>,
     /// Headings of the others.
-    pub passed_over: Vec<String>,
+    pub ignored: Vec<String>,
     /// Headings without a unit, each with that which is taken.
     pub assumed: Vec<(String, &'static str)>,
 }
@@ -56,7 +56,7 @@ impl<Q: Copy + PartialEq> Columns<Q> {
     ) -> Result<Self, String> {
         let mut columns = Self {
             known: Vec::new(),
-            passed_over: Vec::new(),
+            ignored: Vec::new(),
             assumed: Vec::new(),
         };
         for (place, heading) in headings.iter().enumerate() {
@@ -66,13 +66,13 @@ impl<Q: Copy + PartialEq> Columns<Q> {
             let Some((wanted, factor)) =
                 columns.quantity(heading, wanted, &|| is_numeric(place))?
             else {
-                columns.passed_over.push(heading.text.clone());
+                columns.ignored.push(heading.text.clone());
                 continue;
             };
             // Of words the first are taken: a sheet may have a type, a description and remarks.
             let is_words = wanted.dimension.is_none() && !is_numeric(place);
             if is_words && columns.get(wanted.quantity).is_some() {
-                columns.passed_over.push(heading.text.clone());
+                columns.ignored.push(heading.text.clone());
                 continue;
             }
             if let Some(other) = columns.get(wanted.quantity) {
@@ -130,7 +130,7 @@ impl<Q: Copy + PartialEq> Columns<Q> {
         };
         let wrong = meanings().find_map(|(_, meaning)| match meaning {
             Meaning::OtherUnit(unit) => Some(format!(
-                "`{name}`: `{unit}` is none of the units known here: {}",
+                "`{name}`: `{unit}` is not one of the known units: {}",
                 units()
             )),
             Meaning::NoUnit => Some(format!("`{name}` names no unit: {}", units())),
@@ -157,7 +157,7 @@ impl<Q: Copy + PartialEq> Columns<Q> {
     /// it is refused.
     ///
     /// # Errors
-    /// Where it is none, or ambiguous, or there is no such column.
+    /// Where it is not a number, or ambiguous, or there is no such column.
     pub fn number(&self, row: &Row, quantity: Q) -> Result<f64, String> {
         let column = self.get(quantity).ok_or("there is no such column")?;
         let number = row.number(column.place);

@@ -1,5 +1,5 @@
-//! Numbers with a decimal point or comma. What may be two numbers is told apart by the others of
-//! its file, or refused.
+//! Numbers with a decimal point or comma. An ambiguous number is decided by the others of its file,
+//! or refused.
 
 use thiserror::Error;
 
@@ -16,7 +16,7 @@ pub enum Decimals {
 /// Why a text is refused as a number.
 #[derive(Debug, PartialEq, Error)]
 pub enum NumberError {
-    /// It is none.
+    /// It is not a number.
     #[error("`{0}` is not a number")]
     NotANumber(String),
     /// Its comma may as well group thousands.
@@ -55,7 +55,7 @@ enum Evidence {
 /// A number with a decimal point or comma, by itself.
 ///
 /// # Errors
-/// Where it is none, or ambiguous.
+/// Where it is not a number, or ambiguous.
 pub fn number(text: &str) -> Result<f64, NumberError> {
     number_with(text, Decimals::Point)
 }
@@ -63,7 +63,7 @@ pub fn number(text: &str) -> Result<f64, NumberError> {
 /// A number of a file that writes fractions one way.
 ///
 /// # Errors
-/// Where it is none, or ambiguous.
+/// Where it is not a number, or ambiguous.
 pub fn number_with(text: &str, decimals: Decimals) -> Result<f64, NumberError> {
     if let Ok(value) = text.parse::<f64>() {
         let is_ambiguous = decimals == Decimals::Comma && may_group(text, '.');
@@ -91,8 +91,8 @@ pub fn number_with(text: &str, decimals: Decimals) -> Result<f64, NumberError> {
     Ok(decimal)
 }
 
-/// How a file writes fractions, by the texts of its cells: with a comma, where one of them can
-/// be no other number and none has a decimal point.
+/// How a file writes fractions, by the texts of its cells: with a comma, where one of them has no
+/// other meaning and no other has a decimal point.
 pub fn decimals<'text>(texts: impl Iterator<Item = &'text str>) -> Decimals {
     let mut found = Decimals::Point;
     for text in texts {
@@ -157,7 +157,7 @@ mod tests {
         }
     }
 
-    /// `4,276` beside `9,45` is a fraction, and `1.200` may be twelve hundred.
+    /// `4,276` next to `9,45` is a fraction, and `1.200` may be twelve hundred.
     #[test]
     fn the_other_numbers_of_a_file_decide() {
         let of = |texts: &[&str]| decimals(texts.iter().copied());

@@ -30,7 +30,7 @@ impl Cell {
     /// Its number, in a file that writes fractions one way.
     ///
     /// # Errors
-    /// Where it is none, or ambiguous.
+    /// Where it is not a number, or ambiguous.
     pub fn number(&self, decimals: Decimals) -> Result<f64, NumberError> {
         match self {
             Self::Number(number) => Ok(*number),
@@ -60,7 +60,7 @@ impl Line {
 
 /// The lines of a file that have any content.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Grid {
+pub struct TextGrid {
     /// They.
     pub lines: Vec<Line>,
     /// What separates the cells of a text, whose rows have one for each column.

@@ -5,14 +5,14 @@
 use csv::{Position, StringRecord};
 use thiserror::Error;
 
-use super::grid::{Cell, Grid, Line};
-use super::header::{LINES_LOOKED_AT, find};
+use super::grid::{Cell, Line, TextGrid};
+use super::header::{LINES_SEARCHED, find};
 use super::heading::Heading;
 use crate::words::counted;
 
 pub use super::decimal::{NumberError, number};
 
-/// Lines that begin with it are passed over.
+/// Lines that begin with it are ignored.
 const COMMENT: char = '#';
 
 /// A table whose rows know on which line they stand.
@@ -77,7 +77,7 @@ impl HandTable {
         let head: String = table
             .text
             .split_inclusive('\n')
-            .take(LINES_LOOKED_AT)
+            .take(LINES_SEARCHED)
             .collect();
         let lines = grid(&head)?.lines;
         let Some(header) = find(&lines, is_header) else {
@@ -122,7 +122,7 @@ impl HandTable {
         }
     }
 
-    /// The rows below the header; rows without any content are passed over.
+    /// The rows below the header; rows without any content are ignored.
     pub fn rows(&self) -> impl Iterator<Item = Result<HandRow, Mistake>> {
         let is_above = |row: &Result<HandRow, Mistake>| {
             row.as_ref().is_ok_and(|row| row.line <= self.last_line)
@@ -158,7 +158,7 @@ pub fn uneven(separator: u8, values: usize, columns: usize) -> String {
 ///
 /// # Errors
 /// Where the text is not a table.
-pub fn grid(text: &str) -> Result<Grid, Mistake> {
+pub fn grid(text: &str) -> Result<TextGrid, Mistake> {
     let table = HandTable::of(text);
     let mut rows = Rows::new(&table);
     let mut lines = Vec::new();
@@ -182,7 +182,7 @@ pub fn grid(text: &str) -> Result<Grid, Mistake> {
                 lines.push(line(row.line, &row.cells, false));
             }
             None => {
-                return Ok(Grid {
+                return Ok(TextGrid {
                     lines,
                     separator: Some(table.separator),
                 });
@@ -203,14 +203,14 @@ fn cells_of_comment(comment: &str, separator: u8) -> StringRecord {
     first.unwrap_or_else(|| StringRecord::from(vec![text]))
 }
 
-/// Lines by which the separator is told.
-const LOOKED_AT: usize = 200;
+/// Lines by which the separator is found.
+const LINES_READ: usize = 200;
 
 /// What separates the columns: what divides most lines into as many, of which a semicolon or a tab
 /// goes before a comma, which may be that of a fraction.
 fn separator(text: &str) -> u8 {
     let content = |line: &&str| !line.trim().is_empty() && !line.starts_with(COMMENT);
-    let lines: Vec<&str> = text.lines().filter(content).take(LOOKED_AT).collect();
+    let lines: Vec<&str> = text.lines().filter(content).take(LINES_READ).collect();
     let agreeing = |separator: char| {
         let mut counts: Vec<usize> = lines
             .iter()
@@ -251,7 +251,7 @@ struct Rows<'a> {
     /// Up to where lines are counted, and how many there are.
     counted: usize,
     lines: usize,
-    /// Comments that were passed over, with their lines.
+    /// Comments that were ignored, with their lines.
     comments: Vec<(usize, String)>,
 }
 

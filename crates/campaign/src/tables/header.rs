@@ -4,13 +4,13 @@ use super::grid::{Cell, Line};
 use super::heading::Heading;
 
 /// Headings are among the first lines, this many.
-pub const LINES_LOOKED_AT: usize = 60;
+pub const LINES_SEARCHED: usize = 60;
 
 /// Where the headings are, and what they are.
 pub struct Header {
     /// The place of their line.
     pub place: usize,
-    /// They, with units from a row of their own.
+    /// The headings, with units from a separate row.
     pub headings: Vec<Heading>,
     /// Lines that they take.
     pub height: usize,
@@ -19,7 +19,7 @@ pub struct Header {
 /// The headings among the first lines, comments included: the first row that can be, by `is_header`;
 /// else the first that has more than one cell.
 pub fn find(lines: &[Line], is_header: &dyn Fn(&[Heading]) -> bool) -> Option<Header> {
-    let first = lines.iter().take(LINES_LOOKED_AT).enumerate();
+    let first = lines.iter().take(LINES_SEARCHED).enumerate();
     let mut found = first.filter_map(|(place, line)| {
         let header = header(lines, place, line);
         is_header(&header.headings).then_some(header)

@@ -36,7 +36,7 @@ pub struct Heading {
     pub text: String,
     /// Its words in small letters, without a unit in brackets.
     words: Vec<String>,
-    /// A unit in brackets, behind a comma or in a row of its own, as [`plain`] has it.
+    /// A unit in brackets, behind a comma or in a separate row, as [`plain`] has it.
     unit: Option<String>,
 }
 
@@ -69,7 +69,7 @@ impl Heading {
         }
     }
 
-    /// The same with a unit from a row of its own, where it names none.
+    /// The same with a unit from a separate row, where it does not have one.
     pub fn in_unit(&self, text: &str) -> Self {
         let bare = bare(text);
         let unit = plain(bare);
@@ -139,8 +139,7 @@ impl Heading {
         }
     }
 
-    /// What its numbers are multiplied by, whatever it is called, where it has a unit of a
-    /// dimension.
+    /// What its numbers are multiplied by, for any name, where it has a unit of a dimension.
     pub fn factor(&self, dimension: Dimension) -> Option<f64> {
         match &self.unit {
             Some(unit) => dimension.factor(unit),

@@ -1,5 +1,5 @@
 //! Tables of other programs and people: sheets, surveys, recordings, lists of cases. As CSV or
-//! as a workbook, with headings as people write them, a title above, units in a row of their own,
+//! as a workbook, with headings as people write them, a title above, units in a separate row,
 //! decimal commas.
 //!
 //! `read` has the [cells](grid) of a file, [`table`] finds the row of its headings, [`columns`] what they

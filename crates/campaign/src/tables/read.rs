@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::grid::Grid;
 #[cfg(feature = "workbooks")]
 use super::grid::Line;
+use super::grid::TextGrid;
 use super::hand_table;
 use crate::text_file::{LARGEST_SWEEP_FILE, TextOf};
 
@@ -12,13 +12,13 @@ use crate::text_file::{LARGEST_SWEEP_FILE, TextOf};
 ///
 /// # Errors
 /// Why it cannot be read; follows the file's name.
-pub fn read(path: &Path, text_of: TextOf) -> Result<Grid, String> {
+pub fn read(path: &Path, text_of: TextOf) -> Result<TextGrid, String> {
     let unreadable = |reason: String| format!(" cannot be read: {reason}");
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     match ending.to_ascii_lowercase().as_str() {
         ending @ ("xlsx" | "xlsm" | "ods") => {
             let lines = workbook_lines(path, ending).map_err(unreadable)?;
-            Ok(Grid {
+            Ok(TextGrid {
                 lines,
                 separator: None,
             })

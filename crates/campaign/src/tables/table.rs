@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::decimal::{Decimals, NumberError, decimals};
-use super::grid::{Cell, Grid, Line};
+use super::grid::{Cell, Line, TextGrid};
 use super::hand_table::uneven;
 use super::header::find;
 use super::heading::Heading;
@@ -35,7 +35,7 @@ impl Row {
     /// The number of a column.
     ///
     /// # Errors
-    /// Where it is none, or ambiguous.
+    /// Where it is not a number, or ambiguous.
     pub fn number(&self, place: usize) -> Result<f64, NumberError> {
         let empty = Cell::Text(String::new());
         self.cells
@@ -72,8 +72,8 @@ impl Table {
         Self::of_grid(read(path, read_text)?, is_header)
     }
 
-    fn of_grid(grid: Grid, is_header: &dyn Fn(&[Heading]) -> bool) -> Result<Self, String> {
-        let Grid { lines, separator } = grid;
+    fn of_grid(grid: TextGrid, is_header: &dyn Fn(&[Heading]) -> bool) -> Result<Self, String> {
+        let TextGrid { lines, separator } = grid;
         let Some(header) = find(&lines, is_header) else {
             return Ok(Self {
                 header_line: 1,

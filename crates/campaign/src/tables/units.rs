@@ -24,8 +24,8 @@ pub enum Dimension {
     Torque,
 }
 
-/// A unit: the names it goes by, the first as a person is told it and the others as [`plain`] has
-/// them; and what numbers in it are multiplied by.
+/// A unit: its names, the first as in messages and the others as [`plain`] has them; and what
+/// numbers in it are multiplied by.
 struct Unit {
     names: &'static [&'static str],
     dimension: Dimension,
@@ -264,7 +264,7 @@ impl Dimension {
     }
 }
 
-/// Whether a text is the name of a unit, whatever that measures.
+/// Whether a text is the name of a unit, of any dimension.
 pub fn is_unit(name: &str) -> bool {
     UNITS.iter().any(|unit| unit.is_called(name))
 }

@@ -1,4 +1,4 @@
-//! How large a part of a tile has a regime, where its limit is no line.
+//! Which fraction of a tile has a regime, where its limit is no line.
 
 use super::known::{Class, Known};
 use super::lattice::{Lattice, Tile};
@@ -14,8 +14,8 @@ pub struct Band {
     pub tile: Tile,
     /// Points of it with the regime.
     pub with: usize,
-    /// Points of it that tell.
-    pub told: usize,
+    /// Points of it whose class is determined.
+    pub classified: usize,
 }
 
 impl Band {
@@ -29,12 +29,12 @@ impl Band {
         let mut band = Self {
             tile,
             with: 0,
-            told: 0,
+            classified: 0,
         };
         for place in points {
             let class = classes.at(layer, place);
             band.with += usize::from(class == Class::With);
-            band.told += usize::from(matches!(class, Class::With | Class::Without));
+            band.classified += usize::from(matches!(class, Class::With | Class::Without));
         }
         band
     }

@@ -4,17 +4,17 @@ use std::collections::BTreeSet;
 
 use super::known::Class;
 use super::lattice::Tile;
-use super::line::{Line, join, pieces};
+use super::line::{LimitLine, join, pieces};
 use super::refine::Traced;
 
 /// The limits of a layer, in the cells of the finest level where all corners tell, but for
 /// those within bands. Neighbouring points with and without the regime are on either side
 /// of a line.
-pub fn contours(traced: &Traced, layer: usize) -> Vec<Line> {
+pub fn contours(traced: &Traced, layer: usize) -> Vec<LimitLine> {
     let (classes, bands) = (&traced.classes, traced.bands[layer].iter());
     let lattice = classes.lattice;
     let tiles: BTreeSet<Tile> = bands.map(|band| band.tile).collect();
-    let is_out = |cell: &Tile| !tiles.contains(&lattice.told_of_in(*cell));
+    let is_out = |cell: &Tile| !tiles.contains(&lattice.reported_tile(*cell));
     let tells = |class: &Class| matches!(class, Class::With | Class::Without);
     let of_cell = |cell: Tile| {
         let corners = cell.corners().map(|at| classes.at(layer, at));
@@ -30,7 +30,7 @@ pub fn contours(traced: &Traced, layer: usize) -> Vec<Line> {
 }
 
 /// Without the points that lie on the way between their neighbours.
-fn straight(line: Line) -> Line {
+fn straight(line: LimitLine) -> LimitLine {
     // Neighbours are at most two apart.
     let step = |from: [usize; 2], to: [usize; 2]| [0, 1].map(|axis| to[axis] + 2 - from[axis]);
     let turns = |at: usize| step(line[at - 1], line[at]) != step(line[at], line[at + 1]);

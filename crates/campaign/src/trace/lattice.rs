@@ -4,7 +4,7 @@
 /// More values of a coarse scan along an axis are a grid.
 pub const MOST_COARSE: usize = 1000;
 
-/// Finest steps along the side of the smallest tile that is told of as a whole.
+/// Finest steps along the side of the smallest tile that is reported as a whole.
 pub const SMALLEST_SIDE: usize = 4;
 
 /// Points over two axes. Places are counted in steps of the finest level; points are
@@ -80,8 +80,8 @@ impl Lattice {
         (0..columns).flat_map(move |x| (0..rows).map(move |y| tile(x, y)))
     }
 
-    /// The smallest tile that is told of and holds a cell of the finest level.
-    pub fn told_of_in(&self, cell: Tile) -> Tile {
+    /// The smallest tile that is reported as a whole and holds a cell of the finest level.
+    pub fn reported_tile(&self, cell: Tile) -> Tile {
         let side = SMALLEST_SIDE.min(self.step(0));
         Tile {
             corner: cell.corner.map(|place| place / side * side),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 /// A line, by twice its places on a lattice: half-way between two neighbours of which one
 /// has what the other has not. A closed one ends where it begins.
-pub type Line = Vec<[usize; 2]>;
+pub type LimitLine = Vec<[usize; 2]>;
 
 /// The neighbours of places along lines, one or two of each.
 type Joints = BTreeMap<[usize; 2], Vec<[usize; 2]>>;
@@ -30,7 +30,7 @@ pub fn pieces(corner: [usize; 2], has: [bool; 4]) -> Vec<[[usize; 2]; 2]> {
 }
 
 /// Pieces joined to lines: those with ends first, closed ones then.
-pub fn join(pieces: impl Iterator<Item = [[usize; 2]; 2]>) -> Vec<Line> {
+pub fn join(pieces: impl Iterator<Item = [[usize; 2]; 2]>) -> Vec<LimitLine> {
     let mut next: Joints = BTreeMap::new();
     for [from, to] in pieces {
         next.entry(from).or_default().push(to);
@@ -50,7 +50,7 @@ pub fn join(pieces: impl Iterator<Item = [[usize; 2]; 2]>) -> Vec<Line> {
 }
 
 /// A line from a place on, taken out of what is left of them.
-fn follow(next: &mut Joints, start: [usize; 2]) -> Line {
+fn follow(next: &mut Joints, start: [usize; 2]) -> LimitLine {
     let mut line = vec![start];
     let mut at = start;
     while let Some(to) = next.get_mut(&at).and_then(Vec::pop) {

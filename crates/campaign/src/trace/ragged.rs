@@ -1,18 +1,18 @@
-//! Whether a limit is simple on the scale at which it is looked at.
+//! Whether a limit is simple on a given scale.
 //!
-//! Near a line, the points of either side hang together. Where they fall apart into more
+//! Near a line, the points of either side are connected. Where they fall apart into more
 //! pieces, there is structure that the points are too far apart to show, or none: chance.
 
 use super::known::Known;
 use super::lattice::Tile;
 
-/// Cells around one that are looked at with it, to every side.
+/// Cells around one that are examined with it, to every side.
 const AROUND: usize = 2;
 
 /// A tongue between two lines has one piece more than there are classes.
 const PIECES_OF_A_TONGUE: usize = 1;
 
-/// So many pieces of one point, with others around them, are no limit that is simple.
+/// A limit with this number of single points, surrounded by others, is not simple.
 const FEWEST_SPECKS: usize = 1;
 
 /// Whether the points around a cell are in more pieces than a limit that is a line, or two

@@ -7,7 +7,7 @@ use super::known::{Class, Known};
 use super::lattice::{Lattice, SMALLEST_SIDE, Tile};
 use super::ragged::is_ragged;
 
-/// How a trace goes on.
+/// How a trace continues.
 #[derive(Debug)]
 pub enum Next {
     /// These points are to be simulated: their numbers, in ascending order.
@@ -158,15 +158,15 @@ impl Walk<'_> {
     /// A cell with those around it.
     fn around(&self, tile: Tile) -> Vec<Tile> {
         let size = self.lattice().size();
-        let beside = |axis: usize| {
+        let around_along = |axis: usize| {
             let corner = tile.corner[axis];
             let before = corner.checked_sub(tile.side);
             let all = [before, Some(corner), Some(corner + tile.side)];
             let inside = all.into_iter().flatten();
             inside.filter(move |corner| corner + tile.side < size[axis])
         };
-        beside(0)
-            .flat_map(|x| beside(1).map(move |y| [x, y]))
+        around_along(0)
+            .flat_map(|x| around_along(1).map(move |y| [x, y]))
             .map(|corner| Tile { corner, ..tile })
             .collect()
     }
@@ -224,7 +224,7 @@ impl Walk<'_> {
         let ragged = (self.mixed(layer, lattice.levels))
             .filter(|tile| is_known(&self.classes, layer, *tile))
             .filter(|tile| is_ragged(&self.classes, layer, *tile));
-        let rough: BTreeSet<Tile> = ragged.map(|tile| lattice.told_of_in(tile)).collect();
+        let rough: BTreeSet<Tile> = ragged.map(|tile| lattice.reported_tile(tile)).collect();
         let of_rough = |tile: Tile| Band::of_points(&self.classes, layer, tile, tile.own());
         let left = self.layers[layer].left.iter().map(of_left);
         left.chain(rough.into_iter().map(of_rough)).collect()

@@ -67,12 +67,12 @@ fn wrong_and_unknown(trial: &Trial, regime: Regime) -> [usize; 2] {
     let lattice = trial.known.lattice;
     let rows = lattice.size()[1];
     let classes = (0..lattice.points()).map(|point| {
-        let told = trial.traced.classes.at(0, [point / rows, point % rows]);
-        (told, class_at(lattice, regime, point))
+        let traced = trial.traced.classes.at(0, [point / rows, point % rows]);
+        (traced, class_at(lattice, regime, point))
     });
-    classes.fold([0, 0], |[wrong, unknown], (told, true_one)| {
-        let is_unknown = told == Class::Unknown;
-        let is_wrong = !is_unknown && told != true_one;
+    classes.fold([0, 0], |[wrong, unknown], (traced, true_one)| {
+        let is_unknown = traced == Class::Unknown;
+        let is_wrong = !is_unknown && traced != true_one;
         [
             wrong + usize::from(is_wrong),
             unknown + usize::from(is_unknown),
@@ -113,7 +113,7 @@ fn a_line_an_island_and_a_loop_are_those_of_the_full_grid_for_few_points() {
     }
 }
 
-/// The same points in the end, however a run was stopped, and in whatever rounds.
+/// The same points in the end, however a run was stopped, and in any rounds.
 #[test]
 fn where_a_trace_was_stopped_does_not_change_it() {
     let lattice = Lattice::new([8, 6], 0.01);
@@ -151,9 +151,9 @@ fn a_ragged_limit_has_a_band_and_no_line_and_its_parts_are_those_of_the_grid() {
             regime(x, y)
         });
         let of_grid = with.count() as f64 / own.len() as f64;
-        let of_band = band.with as f64 / band.told as f64;
+        let of_band = band.with as f64 / band.classified as f64;
         off += of_band - of_grid;
-        square += (of_band - of_grid).powi(2) - of_grid * (1.0 - of_grid) / band.told as f64;
+        square += (of_band - of_grid).powi(2) - of_grid * (1.0 - of_grid) / band.classified as f64;
         count += 1.0;
     }
     assert!(count > 50.0);

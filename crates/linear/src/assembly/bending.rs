@@ -6,7 +6,7 @@ use super::beam_stiffness::BeamStiffness;
 use super::block::Block;
 use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
-use super::nodes::{Link, Nodes, Relation};
+use super::nodes::{Nodes, Relation, StiffnessBetween};
 use super::number::Number;
 use super::stiff_beam::StiffBeam;
 use crate::drillstring::SurfaceSupport;
@@ -69,7 +69,7 @@ impl<T: Number> Stiffness for Beam<T> {
     }
 }
 
-impl<T: Number> Link<Block<T>> for Beam<T> {
+impl<T: Number> StiffnessBetween<Block<T>> for Beam<T> {
     fn below(&self, above: Block<T>) -> Block<T> {
         match self {
             Beam::Short(beam) => beam.below(alone(above)).bottom,
@@ -101,7 +101,7 @@ fn alone<T: Number>(stiffness: Block<T>) -> BeamStiffness<T> {
     }
 }
 
-/// Displacement at each of so many sites (row) per unit force at each (column), m/N: D⁽ᵇ⁾
+/// Displacement at each of a number of sites (row) per unit force at each (column), m/N: D⁽ᵇ⁾
 /// of Eq. 57. From the surface down, each piece ends at a node, of which the first `sites`
 /// are sites; `None` where there is nothing.
 pub fn reduce<T: Number>(

@@ -13,7 +13,7 @@ use super::number::Number;
 pub struct Block<T = Complex64>(pub [[T; 2]; 2]);
 
 impl<T: Number> Block<T> {
-    /// Every entry so many times.
+    /// Every entry multiplied by a number.
     pub fn multiplied(self, by: T) -> Self {
         self.zip(self, |a, _| a * by)
     }

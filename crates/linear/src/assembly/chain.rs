@@ -44,7 +44,7 @@ pub trait Stiffness: Copy {
     }
 }
 
-/// Which ends of a piece are looked at.
+/// Which ends of a piece are of interest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ends {
     /// Both.
@@ -53,8 +53,8 @@ pub enum Ends {
     Bottom,
 }
 
-/// Stiffness of pieces in a row, from the top down; `None` where there are none. They are made
-/// when they are needed: none through which no wave comes to an end that is looked at.
+/// Stiffness of pieces in a row, from the top down; `None` where there are none. They are made when
+/// they are needed: not those from which no wave reaches an end of interest.
 fn row<S: Stiffness>(mut pieces: impl DoubleEndedIterator<Item = S>, ends: Ends) -> Option<S> {
     let mut lower = pieces.next_back()?;
     while !lower.is_endless() {
@@ -78,8 +78,7 @@ fn row<S: Stiffness>(mut pieces: impl DoubleEndedIterator<Item = S>, ends: Ends)
     Some(upper.join(lower))
 }
 
-/// Stiffness of one section, its cells repeated, from that of its tubes, by the ends that are
-/// looked at.
+/// Stiffness of one section, its cells repeated, from that of its tubes, by the ends of interest.
 pub fn section<S: Stiffness>(
     section: &Section,
     ends: Ends,
@@ -90,7 +89,7 @@ pub fn section<S: Stiffness>(
 }
 
 /// Stiffness of everything between two neighbouring nodes from that of its tubes and of what is
-/// around each, by the ends that are looked at; `None` where there is nothing.
+/// around each, by the ends of interest; `None` where there is nothing.
 pub(crate) fn surrounded<S: Stiffness>(
     span: &SurroundedSpan,
     ends: Ends,
@@ -102,7 +101,7 @@ pub(crate) fn surrounded<S: Stiffness>(
     row(pieces, ends)
 }
 
-/// The pieces of a string between its nodes. What hangs from the surface is looked at from
+/// The pieces of a string between its nodes. The part that hangs from the surface is seen from
 /// below: no load acts at the surface.
 pub(crate) fn hanging<S: Stiffness>(
     spans: &[SurroundedSpan],

@@ -46,7 +46,7 @@ impl<K: Relation> Piece<K> {
 }
 
 /// What hangs between two nodes.
-pub trait Link<K> {
+pub trait StiffnessBetween<K> {
     /// The stiffness at its bottom, when its top meets a stiffness.
     fn below(&self, above: K) -> K;
 
@@ -57,7 +57,7 @@ pub trait Link<K> {
     fn carried(&self, below: K) -> K;
 }
 
-impl<K: Relation> Link<K> for Piece<K> {
+impl<K: Relation> StiffnessBetween<K> for Piece<K> {
     fn below(&self, above: K) -> K {
         self.bottom - self.cross.transpose() * ((above + self.top).inverse() * self.cross)
     }
@@ -72,7 +72,7 @@ impl<K: Relation> Link<K> for Piece<K> {
 }
 
 /// Nodes that nothing is between do not feel one another.
-impl<K: Relation, L: Link<K>> Link<K> for Option<L> {
+impl<K: Relation, L: StiffnessBetween<K>> StiffnessBetween<K> for Option<L> {
     fn below(&self, above: K) -> K {
         self.as_ref().map_or(K::zero(), |link| link.below(above))
     }
@@ -98,7 +98,7 @@ pub struct Nodes<K> {
 
 impl<K: Relation> Nodes<K> {
     /// A node that `above` holds, and those below it, each hanging from the last.
-    pub fn new(above: K, links: &[impl Link<K>]) -> Self {
+    pub fn new(above: K, links: &[impl StiffnessBetween<K>]) -> Self {
         let mut carried = vec![K::zero(); links.len() + 1];
         let mut below = vec![K::zero(); links.len() + 1];
         for (node, link) in links.iter().enumerate().rev() {

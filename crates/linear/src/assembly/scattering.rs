@@ -11,11 +11,11 @@ use super::torsion::{Drive, DynamicStiffness};
 /// A piece of string between two nodes.
 #[derive(Debug, Clone, Copy)]
 pub struct Scattered<T> {
-    /// What comes back at its top.
+    /// Reflection at its top.
     pub top: T,
     /// What comes out at the other end, whichever it goes in at.
     pub across: T,
-    /// What comes back at its bottom.
+    /// Reflection at its bottom.
     pub bottom: T,
 }
 
@@ -23,7 +23,7 @@ pub struct Scattered<T> {
 /// included. Waves are at the node.
 #[derive(Debug, Clone, Copy)]
 pub struct Uppermost<T> {
-    /// What comes back.
+    /// Its reflection.
     pub reflection: T,
     /// The wave that comes down per set speed.
     pub sent: T,

@@ -56,7 +56,7 @@ impl<T: Number> Stiffness for StiffBeam<T> {
 }
 
 impl<T: Number> StiffBeam<T> {
-    /// So many times as stiff and as heavy.
+    /// Stiffness and inertia multiplied by a number.
     pub fn multiplied(self, by: T) -> Self {
         Self {
             elastic: self.elastic.multiplied(by),

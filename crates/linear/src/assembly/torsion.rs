@@ -10,7 +10,7 @@ use num_complex::Complex64;
 
 use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
-use super::nodes::{Link, Nodes, Piece};
+use super::nodes::{Nodes, Piece, StiffnessBetween};
 use super::number::Number;
 use crate::top_drive::TopDrive;
 
@@ -19,7 +19,7 @@ use crate::top_drive::TopDrive;
 pub type DynamicStiffness<T = Complex64> = Piece<T>;
 
 impl<T: Number> DynamicStiffness<T> {
-    /// So many equal pieces in a row, each as stiff from above as from below, from the
+    /// A number of equal pieces in a row, each as stiff from above as from below, from the
     /// torque on either end of one where both turn alike, and where they turn against one
     /// another. With p and m their roots, a row has the characteristic impedance pm, and a
     /// wave that goes down it is multiplied by (m − p)/(m + p) from node to node. What turns

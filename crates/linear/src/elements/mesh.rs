@@ -127,7 +127,7 @@ fn elements_of(tube: &Tube, longest: f64) -> f64 {
     (tube.length / longest - 1e-6).ceil().max(1.0)
 }
 
-/// A tube as so many equal elements.
+/// A tube as a number of equal elements.
 pub(super) fn divided(tube: &Tube, longest: f64) -> (usize, Tube) {
     let count = elements_of(tube, longest);
     let element = Tube {

@@ -1,5 +1,5 @@
 //! The drag of viscous mud as elements have it: by relaxations fitted to it, each stepped as a
-//! variable of its own by the trapezoidal rule.
+//! separate variable by the trapezoidal rule.
 
 use crate::assembly::number::Number;
 use crate::channel::Channel;

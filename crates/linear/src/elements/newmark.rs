@@ -135,6 +135,47 @@ impl Weights {
     pub fn velocity_gain(&self) -> f64 {
         self.gamma * self.step
     }
+
+    /// The least that any motion loses in a step, as the logarithm of what it was over what is
+    /// left, where damping is at least `least_damping` (1/s) times the inertia of its shape and
+    /// stiffness at least `least_stiffness` (1/s) times the damping.
+    ///
+    /// A motion whose shape has the inertia m, damping c and stiffness k is multiplied in each
+    /// step by a root z of (m + γhc + βh²k)(z − 1)² + h(c + (γ + ½)hk)(z − 1) + h²k. All roots
+    /// are within a circle where three inequalities hold (E. I. Jury, *Theory and Application of
+    /// the z-Transform Method*, Wiley 1964), each of them linear in m, c and k: where they hold
+    /// at the edges of a cone of (m, c, k), they hold within it. Its edges are what has
+    /// no more than the least damping and stiffness, what has no inertia, and the infinitely
+    /// stiff, which keeps a step's share for any length of the step.
+    pub(crate) fn least_loss(&self, least_damping: f64, least_stiffness: f64) -> f64 {
+        let (damping, stiffness) = (self.step * least_damping, self.step * least_stiffness);
+        let edges = [
+            (1.0, damping, damping * stiffness),
+            (0.0, 1.0, stiffness),
+            (0.0, 0.0, 1.0),
+        ];
+        let losses = edges.map(|shape| self.loss(shape));
+        losses.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// What a motion loses in a step, of inertia m, damping hc and stiffness h²k.
+    fn loss(&self, (inertia, damping, stiffness): (f64, f64, f64)) -> f64 {
+        let Self { gamma, beta, .. } = *self;
+        let square = inertia + gamma * damping + beta * stiffness;
+        let linear = damping + (gamma + 0.5) * stiffness;
+        let discriminant = damping * (damping - (2.0 * gamma - 1.0) * stiffness)
+            - 4.0 * inertia * stiffness
+            + ((gamma + 0.5).powi(2) - 4.0 * beta) * stiffness * stiffness;
+        if discriminant < 0.0 {
+            // The product of both roots.
+            let less = (damping + (gamma - 0.5) * stiffness) / square;
+            return -0.5 * (-less).ln_1p();
+        }
+        let sum = linear + discriminant.sqrt();
+        let slow = -(-2.0 * stiffness / sum).ln_1p();
+        let fast = -(1.0 - 0.5 * sum / square).abs().ln();
+        slow.min(fast)
+    }
 }
 
 /// Displacement, velocity and acceleration of every degree of freedom.
@@ -246,5 +287,74 @@ impl Integrator {
             -1.0,
             Par::Seq,
         );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The roots of the scheme for one shape, by its recurrence in z: displacement, velocity and
+    /// acceleration of one step from those of the step before.
+    fn loss_by_stepping(weights: Weights, (inertia, damping, stiffness): (f64, f64, f64)) -> f64 {
+        let Weights { gamma, beta, .. } = weights;
+        let mut motion = [1.0, 0.3, -0.2];
+        let (mut loss, count) = (0.0, 4000);
+        for step in 0..count {
+            let [displacement, velocity, acceleration] = motion;
+            let moved = displacement + velocity + (0.5 - beta) * acceleration;
+            let turned = velocity + (1.0 - gamma) * acceleration;
+            let mass = inertia + gamma * damping + beta * stiffness;
+            let next = -(damping * turned + stiffness * moved) / mass;
+            motion = [moved + beta * next, turned + gamma * next, next];
+            let size = motion
+                .iter()
+                .fold(0.0, |most: f64, part| most.max(part.abs()));
+            motion = motion.map(|part| part / size);
+            if step >= count / 2 {
+                loss -= size.ln();
+            }
+        }
+        loss / f64::from(count - count / 2)
+    }
+
+    fn weights(gamma: f64, beta: f64) -> Weights {
+        let step = 1.0;
+        Weights { gamma, beta, step }
+    }
+
+    /// Of shapes within the cone, and at its edges.
+    #[test]
+    fn no_shape_loses_less_than_the_edges_of_its_cone() {
+        let rule = |gamma: f64| weights(gamma, 0.25 * (0.5 + gamma).powi(2));
+        for weights in [
+            rule(0.52),
+            rule(0.6),
+            weights(0.55, 0.4),
+            weights(0.7, 0.35),
+        ] {
+            for (least_damping, least_stiffness) in [(1e-3, 1e-2), (0.1, 0.02), (0.5, 2.0)] {
+                let least = weights.least_loss(least_damping, least_stiffness);
+                let mut closest = f64::INFINITY;
+                for (more_damped, stiffer) in
+                    (-4..9).flat_map(|one| (-4..12).map(move |other| (one, other)))
+                {
+                    let damping = least_damping * (1.0 + 4f64.powi(more_damped));
+                    let stiffness = damping * least_stiffness * (1.0 + 4f64.powi(stiffer));
+                    let shape = (1.0, damping, stiffness);
+                    let loss = loss_by_stepping(weights, shape);
+                    assert!(
+                        (weights.loss(shape) - loss).abs() < 2e-3 * loss + 2e-3,
+                        "{shape:?}: {loss}"
+                    );
+                    assert!(
+                        weights.loss(shape) >= least * (1.0 - 1e-9),
+                        "{shape:?}: {loss} {least}"
+                    );
+                    closest = closest.min(weights.loss(shape) / least);
+                }
+                assert!(closest < 1.3, "{closest}");
+            }
+        }
     }
 }

@@ -32,7 +32,7 @@ use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 
 /// Velocity and acceleration per displacement at one ζ, and the rate 2(1 − ζ)/(h(1 + ζ)) of what
-/// is stepped by the trapezoidal rule besides, rad/s: loss with a memory, which that keeps passive.
+/// is stepped by the trapezoidal rule, rad/s: loss with a memory, which that keeps passive.
 #[derive(Debug, Clone, Copy)]
 struct Rates<T> {
     velocity: T,

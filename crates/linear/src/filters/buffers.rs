@@ -3,8 +3,9 @@
 use crate::budget::{COMPLEX, Need, REAL};
 use crate::parallel::threads;
 
-/// Bytes that a transform holds for each of its samples besides its input: its output, its plan
-/// and, for lengths with large prime factors, another, longer transform. Measured, and rounded up.
+/// Bytes that a transform holds for each of its samples in addition to its input: its output, its
+/// plan and, for lengths with large prime factors, another, longer transform. Measured, and rounded
+/// up.
 const TRANSFORM: f64 = 60.0;
 
 /// Lengths of the buffers of a filter.

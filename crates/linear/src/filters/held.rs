@@ -19,8 +19,8 @@ use crate::assembly::number::Number;
 /// Steps of Radau IIA in one step of the taps.
 pub(crate) const SUBSTEPS: usize = 4;
 
-/// Of responses that go on: they are looked at at many times as many frequencies as those of
-/// other methods.
+/// Of responses that continue: they are sampled at many times as many frequencies as those of other
+/// methods.
 pub(crate) const SAMPLING: Sampling = Sampling::Wide;
 
 /// Buffers for trains of impulses in the shorter steps of a number of taps.

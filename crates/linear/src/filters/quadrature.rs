@@ -20,9 +20,10 @@ use crate::fft;
 /// is folded back, while rounding grows as ρ^(−n): ρ is a compromise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sampling {
-    /// Of what goes on: to some 1e-10 of its largest tap.
+    /// Of a response that continues: to some 1e-10 of its largest tap.
     Close,
-    /// Of what goes on where each sample takes long: to some 1e-8 of its largest tap.
+    /// Of a response that continues, where each sample is expensive: to some 1e-8 of its largest
+    /// tap.
     Wide,
     /// Of what has decayed before its last tap: nothing is left to be folded back.
     Once,
@@ -49,12 +50,12 @@ impl Sampling {
     }
 }
 
-/// The points ζ at which generating functions are sampled, as products of a point from which to
-/// go on and of a turn from there: few sines are enough.
+/// The points ζ at which generating functions are sampled, as products of a starting point and a
+/// turn from there: few sines are enough.
 pub(super) struct Circle {
     plan: Arc<dyn ComplexToReal<f64>>,
     radius: f64,
-    /// Every so many points one to go on from.
+    /// Starting points at regular intervals.
     from: Vec<Complex64>,
     /// The turns on, as many as there are points from one to the next.
     turns: Vec<Complex64>,
@@ -200,7 +201,7 @@ mod tests {
 
     /// 1/(1 − 2 cos φ ζ + ζ²) = Σ sin((n + 1)φ)/sin φ ζⁿ, which nothing damps.
     #[test]
-    fn what_rings_for_ever_is_as_right_as_is_told() {
+    fn what_rings_for_ever_is_as_right_as_is_estimated() {
         const COUNT: usize = 20_000;
         let angle = 0.7f64;
         let ringing = |zeta: Lanes, out: &mut [Lanes]| {

@@ -54,15 +54,15 @@ fn series(z: Complex64) -> ([Complex64; 3], [Complex64; 2]) {
     // t^m/(m!)² with its sums over the orders, and over K's harmonic numbers.
     let mut term = Complex64::ONE;
     let mut i = [Complex64::ZERO; 3];
-    let (mut harmonic, mut beside) = (0.0, [Complex64::ZERO; 2]);
+    let (mut harmonic, mut series) = (0.0, [Complex64::ZERO; 2]);
     for m in 0..MOST_TERMS {
         let m = f64::from(m);
         let next = m + 1.0;
         i[0] += term;
         i[1] += term / next;
         i[2] += term / (next * (m + 2.0));
-        beside[0] += term * harmonic;
-        beside[1] += term * ((2.0 * harmonic + next.recip()) / next);
+        series[0] += term * harmonic;
+        series[1] += term * ((2.0 * harmonic + next.recip()) / next);
         if term.norm_sqr() < f64::EPSILON.powi(2) {
             break;
         }
@@ -72,8 +72,8 @@ fn series(z: Complex64) -> ([Complex64; 3], [Complex64; 2]) {
     i[1] *= half;
     i[2] *= t;
     let logarithm = half.ln() + EULER;
-    let k0 = beside[0] - logarithm * i[0];
-    let k1 = z.inv() + logarithm * i[1] - 0.5 * half * beside[1];
+    let k0 = series[0] - logarithm * i[0];
+    let k1 = z.inv() + logarithm * i[1] - 0.5 * half * series[1];
     let (down, up) = ((-z).exp(), z.exp());
     (i.map(|i| i * down), [k0 * up, k1 * up])
 }

@@ -164,7 +164,7 @@ fn non_negative(matrix: &Mat<f64>, wanted: &Col<f64>) -> Vec<f64> {
 /// What a column gains less than is rounding.
 const SMALLEST_GAIN: f64 = 1e-12;
 
-/// The weights of some columns, whatever their signs.
+/// The weights of some columns, of either sign.
 fn least_squares(matrix: &Mat<f64>, columns: &[usize], wanted: &Col<f64>) -> Vec<f64> {
     let chosen = Mat::from_fn(matrix.nrows(), columns.len(), |row, column| {
         matrix[(row, columns[column])]
@@ -203,8 +203,8 @@ mod tests {
         assert!(fit.error < 1e-9, "{}", fit.error);
     }
 
-    /// The drag of mud of water to a gel in annuli of any width, by relaxations of which none is
-    /// negative, at rest exactly.
+    /// The drag of mud of water to a gel in annuli of any width, by relaxations with
+    /// non-negative weights, at rest exactly.
     #[test]
     fn val_a_fit_of_mud_is_passive_and_known_to_a_part() {
         for (viscosity, hole, most) in [

@@ -114,16 +114,6 @@ impl Loss {
         &self.material
     }
 
-    /// No flow of mud forgets more slowly than this, 1/s, of a string in holes of these radii (m):
-    /// with no slip on walls further apart than any here. Without mud nothing is remembered.
-    pub(crate) fn slowest_memory(&self, holes: impl Iterator<Item = f64>) -> f64 {
-        let Some(mud) = self.mud else {
-            return f64::INFINITY;
-        };
-        let widest = holes.fold(0.0, f64::max);
-        (std::f64::consts::PI / widest).powi(2) * mud.viscosity / mud.density
-    }
-
     /// The viscous mud in and around a tube of these radii, m, if it is in any.
     pub(crate) fn annulus(&self, [inner, outer]: [f64; 2], hole: Option<f64>) -> Option<Annulus> {
         let (mud, hole) = self.mud.zip(hole)?;

@@ -21,7 +21,7 @@ pub(crate) struct Annulus {
     pub(crate) viscosity: f64,
     /// Density ρ, kg/m³.
     pub(crate) density: f64,
-    /// Radius of the bore R_i, m; zero where there is none.
+    /// Radius of the bore R_i, m; zero for a solid bar.
     pub(crate) inner: f64,
     /// Radius of the tube R, m.
     pub(crate) outer: f64,
@@ -81,7 +81,7 @@ impl Annulus {
 
     /// Force per length and speed on a tube that moves across the hole, N s/m per m, at the
     /// Laplace variable s (rad/s, off the negative real axis). The mud in the bore moves along
-    /// as if it were solid, and counts as mass besides.
+    /// as if it were solid, and counts as mass in addition.
     ///
     /// From the stream function (A r + B/r + C I₁(κr) + D K₁(κr)) sin φ, of which pressure and
     /// shear leave πρs(2B/U − R²) (S. S. Chen, M. W. Wambsganss and J. A. Jendrzejczyk, "Added mass

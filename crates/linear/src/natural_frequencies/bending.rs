@@ -4,7 +4,7 @@
 use num_complex::Complex64;
 
 use crate::assembly::block::Block;
-use crate::assembly::nodes::{Link, Relation};
+use crate::assembly::nodes::{Relation, StiffnessBetween};
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::spans::SurroundedSpan;
 use crate::waves::bending::short_part;

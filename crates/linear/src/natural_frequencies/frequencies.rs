@@ -49,7 +49,7 @@ struct Bracket {
 }
 
 impl NaturalFrequencies {
-    /// Those of a string in torsion, its surface held, whatever its drive and damping.
+    /// Those of a string in torsion, its surface held, with any drive and damping.
     ///
     /// # Errors
     /// Where the string cannot be cut up.
@@ -63,7 +63,7 @@ impl NaturalFrequencies {
         })
     }
 
-    /// Those of a string in bending, whatever its damping, under its axial force and in its mud.
+    /// Those of a string in bending, with any damping, under its axial force and in its mud.
     ///
     /// # Errors
     /// Where it cannot bend so.
@@ -89,8 +89,8 @@ impl NaturalFrequencies {
         })
     }
 
-    /// Those in bending of a string that stabilisers, or whatever else, hold: without
-    /// displacement and free to turn. What is above the uppermost of these places is left out.
+    /// Those in bending of a string that is held, for instance by stabilisers: without displacement
+    /// and free to turn. What is above the uppermost of these places is left out.
     ///
     /// # Errors
     /// Where the string cannot bend so, or the places are not on it.
@@ -110,7 +110,7 @@ impl NaturalFrequencies {
     }
 
     /// Natural frequencies below an angular frequency (rad/s, positive), among them the motions
-    /// that nothing brings back.
+    /// without a restoring force.
     ///
     /// # Errors
     /// Where the string's constants are so extreme that its waves have no size.
@@ -144,7 +144,7 @@ impl NaturalFrequencies {
         }
     }
 
-    /// Motions that nothing brings back: those as a rigid rod, and those in which the string
+    /// Modes without a restoring force: those of a rigid body, and those in which the string
     /// buckles.
     ///
     /// # Errors
@@ -154,7 +154,7 @@ impl NaturalFrequencies {
     }
 
     /// All natural frequencies below an angular frequency (rad/s), from the lowest up, rad/s,
-    /// without those motions that nothing brings back; equal ones as often as they are there.
+    /// without those that have no restoring force; equal ones are repeated.
     ///
     /// # Errors
     /// As [`NaturalFrequencies::below`].
@@ -175,8 +175,8 @@ impl NaturalFrequencies {
         Ok(found.collect())
     }
 
-    /// So many of the lowest natural frequencies, rad/s, as [`NaturalFrequencies::all_below`] has
-    /// them.
+    /// The lowest natural frequencies, `count` of them, rad/s, as [`NaturalFrequencies::all_below`]
+    /// has them.
     ///
     /// # Errors
     /// As [`NaturalFrequencies::below`].
@@ -201,7 +201,7 @@ impl NaturalFrequencies {
         } else {
             0.5 * (low + high)
         };
-        // Where several meet, rounding may take or give one on its own.
+        // Where several coincide, rounding alone may add or remove one.
         let between = self.below(middle)?.clamp(before, after);
         let lower = Bracket {
             ends: [low, middle],

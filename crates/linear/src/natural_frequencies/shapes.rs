@@ -13,14 +13,14 @@ use crate::sites::Sites;
 use crate::waves::lateral::BendingNetwork;
 use crate::waves::network::TorsionNetwork;
 
-/// Where the surface is looked at: this part of the length below it.
+/// Where the motion at the surface is taken: this fraction of the length below it.
 const NEXT_TO_SURFACE: f64 = 1e-6;
 
 /// Depths at equal distances are no nearer than this part of the length to a place that is held.
 const NEXT_TO_PLACE: f64 = 1e-4;
 
-/// As far from a natural frequency, as a part of it, the string is looked at: nearer, rounding
-/// takes as much as other modes add.
+/// The relative distance from a natural frequency at which the shape is computed: nearer, rounding
+/// is as large as what other modes add.
 const OFF_RESONANCE: f64 = 1e-6;
 
 /// A mode along the string, from the surface to the bit; of a string that is held, from the
@@ -82,11 +82,11 @@ impl NaturalFrequencies {
         let held: Vec<f64> = held.map_or_else(Vec::new, |held| held.depths(&self.string).collect());
         let top = held.first().copied().unwrap_or(0.0);
         let even = (0..count).map(|index| top + (length - top) * index as f64 / (count - 1) as f64);
-        let is_beside = |depth: &f64| {
+        let is_at_support = |depth: &f64| {
             let mut near = held.iter().map(|place| (place - depth).abs());
             near.any(|distance| distance <= NEXT_TO_PLACE * (length - top))
         };
-        let even = even.filter(|depth| !is_beside(depth));
+        let even = even.filter(|depth| !is_at_support(depth));
         let mut depths: Vec<f64> = even.chain(held.iter().copied()).collect();
         depths.sort_by(f64::total_cmp);
         depths

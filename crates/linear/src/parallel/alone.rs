@@ -26,7 +26,7 @@ pub fn reduce<Answer>(
     (0..count).map(answer).fold(nothing(), join)
 }
 
-/// Fills every chunk of so many items, given with its number, with one scratch.
+/// Fills every chunk of `size` items, given with its number, with one scratch.
 pub fn chunks_mut<Item, Scratch>(
     items: &mut [Item],
     (size, _at_once): (usize, usize),

@@ -7,7 +7,8 @@ pub fn threads() -> usize {
     rayon::current_num_threads()
 }
 
-/// What `answer` says of every number below `count`; a thread takes at least so many at once.
+/// The `answer` for every number below `count`; a thread takes at least `at_once` of them at a
+/// time.
 pub fn map<Answer: Send>(
     count: usize,
     at_once: usize,
@@ -37,8 +38,8 @@ pub fn reduce<Answer: Send>(
     numbers.map(answer).reduce(nothing, join)
 }
 
-/// Fills every chunk of so many items, given with its number; a thread takes at least
-/// `at_once` of them with one scratch of its own.
+/// Fills every chunk of `size` items, given with its number; a thread takes at least `at_once` of
+/// them with its own scratch.
 pub fn chunks_mut<Item: Send, Scratch>(
     items: &mut [Item],
     (size, at_once): (usize, usize),

@@ -20,7 +20,7 @@ pub struct Responses {
     pub string: StringId,
     /// The method.
     pub method: Method,
-    /// Where the string is looked at; these alone say which of them is the bit's.
+    /// Where the string is observed; these alone say which of them is the bit's.
     pub sites: Sites,
     /// Sampling frequency f_s, Hz.
     pub sampling_frequency: f64,
@@ -45,8 +45,8 @@ pub struct ChannelResponses {
     /// m/N in bending.
     pub from_loads: Vec<Vec<Vec<f64>>>,
     /// Whether the response ends with its taps, or only the simulation does. In bending
-    /// it goes on: a string held by nothing but damping does not come back within any
-    /// time of interest.
+    /// the response continues: a string held by damping alone does not return within any time of
+    /// interest.
     pub ending: Ending,
 }
 
@@ -84,7 +84,7 @@ impl Responses {
         self.taps(bit, bit)
     }
 
-    /// Checks that they are what a string gives, whoever made them.
+    /// Checks that they can be responses of a string.
     ///
     /// # Errors
     /// Where they are not.

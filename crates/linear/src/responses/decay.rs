@@ -15,8 +15,8 @@ pub(super) const NEGLIGIBLE_TAIL: f64 = 1e-8;
 /// sample of the load's past.
 const CUT_TAIL: f64 = 1e-10;
 
-/// What decays exponentially takes a quarter longer until this. What goes on for longer than so
-/// many times is rounding, or seeps, and is cut here.
+/// A response that decays exponentially takes a quarter longer until this. Beyond this multiple
+/// only rounding or seepage remains, and it is cut here.
 const LONGER: f64 = 1.3;
 
 /// A tail counts as decayed only if this last part of what was computed is
@@ -26,7 +26,7 @@ const QUIET_PART: f64 = 0.25;
 /// A first guess of the length, in round trips, where damping says nothing.
 const FIRST_ROUND_TRIPS: f64 = 16.0;
 
-/// The slowest vibration takes about so many times as long to decay as the mean of all.
+/// The slowest vibration takes about this many times as long to decay as the mean of all.
 const SLOWEST: f64 = 1.25;
 
 /// The part of its sum that the last part of a response has, of the one in which that is most.
@@ -108,8 +108,8 @@ pub(super) fn first_length(
 mod tests {
     use super::*;
 
-    /// Taps of a response that falls to a part 1e-16 of its first in `length`, with noise of so
-    /// much beside.
+    /// Taps of a response that falls to a part 1e-16 of its first in `length`, with noise of the
+    /// given amount.
     fn decaying(length: usize, noise: f64) -> Vec<f64> {
         let fall = |index: usize| 1e-16_f64.powf(index as f64 / length as f64);
         let sign = |index: usize| {
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn what_still_goes_on_is_not_cut() {
+    fn what_still_continues_is_not_cut() {
         let whole = decaying(4000, 0.0);
         let mut taps = vec![whole[..2000].to_vec()];
         assert!(!cut_decayed_tail(&mut taps, NEGLIGIBLE_TAIL));

@@ -35,7 +35,7 @@ pub(super) fn samples_of(transform: &Transform, default: f64, sampling_frequency
     (transform.seconds).map_or(default, |seconds| seconds * sampling_frequency)
 }
 
-/// An even transform length of about so many samples.
+/// An even transform length of about a number of samples.
 pub(super) fn transform_length(samples: f64, sampling_frequency: f64) -> Result<usize, BuildError> {
     if samples > MOST_TAPS as f64 {
         return Err(too_many(samples));

@@ -99,14 +99,14 @@ impl Responses {
     /// They are those from step to step; by `held`, whose wall is met in the middle of a
     /// step, those from its beginning, which are its mean speed. By `hilbert` that is the
     /// method's own derivative too; by `quadrature` the margin stays positive; Newmark's
-    /// scheme has a velocity of its own, a part of a step ahead, and this margin may be
+    /// scheme has its own velocity, a fraction of a step ahead, and this margin may be
     /// below zero where [`Self::bending_margin`] is not.
     ///
     /// # Errors
     /// Where these are not the responses of a string.
     pub fn margin_of_differences(&self) -> Result<Option<f64>, BuildError> {
         self.check()?;
-        let velocities = if self.method.moment() > 0.0 {
+        let velocities = if self.method.collocation_offset() > 0.0 {
             self.velocities()
         } else {
             self.bending().map(|bending| each(bending, differences))

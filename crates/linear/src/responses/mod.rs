@@ -10,6 +10,7 @@ mod margin;
 mod plan;
 mod request;
 mod rounds;
+mod slowest;
 mod torsion;
 mod trains;
 mod wanted;

@@ -26,7 +26,7 @@ pub enum ChannelRequest {
 /// What responses are wanted for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
-    /// Where the string is looked at, and loads may act.
+    /// Where the string is observed, and loads may act.
     pub sites: Sites,
     /// The channels, each once.
     pub channels: Vec<ChannelRequest>,

@@ -7,9 +7,7 @@ use super::request::Request;
 use crate::budget::{Budget, Need, REAL, Reserved, What};
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
-use crate::estimates::{
-    torsional_decay_rate, torsional_inertia, torsional_settling_time, undershoot_time,
-};
+use crate::estimates::undershoot_time;
 use crate::filters::quadrature::{self, Sampling};
 use crate::passivity::Ending;
 
@@ -25,18 +23,27 @@ const OF_ROUNDING: f64 = 2.0;
 /// its end.
 const WORTH_WHILE: f64 = 2.2;
 
-/// Time constants until a response counts as decayed, and has been quiet for a quarter of its
-/// length: 18, and three more where two motions of one rate meet, t e^(−t), as at critical damping.
-const DECAYED: f64 = 29.0;
+/// Of a response that has lasted as long as its slowest motion may, rounding leaves this part of its
+/// sum at most. A response in which more is left is one that is much smaller than what passes it
+/// by, and is built for longer.
+const MOST_OF_ROUNDING: f64 = 1e-6;
+
+/// Time constants of the slowest motion until a response counts as decayed, and has been quiet for a
+/// quarter of its length: 21.7 for two motions of one rate, (1 + x) e^(−x) = 1e-8, as at critical
+/// damping and at the highest frequencies of Newmark's scheme. A single motion takes 18.4; random
+/// strings 19.9 at most (`val_no_response_outlasts_its_plan`).
+const DECAYED: f64 = 21.7 / 0.75;
 
 /// How long responses are built, in taps, from round to round.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rounds {
-    /// Where they are looked at no further.
-    looked_at: f64,
+    /// The length beyond which they are not used.
+    used: f64,
+    /// Taps by which they have decayed, for any shape.
+    lasts: f64,
     first: Round,
-    /// What goes on at its end is sampled in this way.
-    goes_on: Sampling,
+    /// How responses that continue beyond it are sampled.
+    continuing: Sampling,
     /// The longest that they may become.
     longest: Round,
     /// Responses that are built side by side.
@@ -61,54 +68,69 @@ pub(super) struct Built<'a> {
 
 impl Rounds {
     /// Of a number of responses, each of which asks for a number of bytes on a thread, that are
-    /// sampled in a way where they go on. Some `ring` for ever, however a string is damped.
+    /// sampled in a given way where they continue. Each of their motions loses at least `loss` in a
+    /// step ([`super::slowest`]); `None` where some never decay.
     ///
     /// # Errors
     /// Where they last longer than responses may be.
     pub(super) fn new(
         string: &Drillstring,
         request: &Request,
-        (goes_on, ring): (Sampling, bool),
+        (continuing, loss): (Sampling, Option<f64>),
         (channels, on_thread): (usize, f64),
     ) -> Result<Self, BuildError> {
         let frequency = request.sampling_frequency;
-        let looked_at = looked_at(string, request.longest_time, frequency);
+        let used = used_taps(string, request.longest_time, frequency);
         let decayed = first_length(string, frequency)? as f64;
         // What nothing damps does not decay.
-        let decays = string.loss().damps_torsion() && decayed <= WORTH_WHILE * looked_at;
-        let first = if decays { decayed } else { looked_at };
+        let decays = string.loss().damps_torsion() && decayed <= WORTH_WHILE * used;
+        let first = if decays { decayed } else { used };
         let doubled_to = |length: f64| {
             let doublings = (length / first).log2().ceil().max(0.0);
             first * doublings.exp2()
         };
-        let last = doubled_to(looked_at).min(looked_at.max(MOST_TAPS as f64));
-        let (longest, is_whole) = if !string.loss().damps_torsion() || ring {
-            (last, false)
-        } else {
-            let lasts = DECAYED * frequency / slowest_rate(string);
-            let most = last.min(MOST_TAPS as f64);
-            (doubled_to(lasts).min(most), decays && lasts <= most)
+        let last = doubled_to(used).min(used.max(MOST_TAPS as f64));
+        let lasts = loss.map_or(f64::INFINITY, |loss| DECAYED / loss);
+        let longest = match loss {
+            None => last,
+            Some(_) => doubled_to(lasts).min(last).min(MOST_TAPS as f64),
         };
         if first.max(longest) > MOST_TAPS as f64 {
-            return Err(too_many(looked_at.max(longest)));
+            return Err(too_many(used.max(longest)));
         }
         let round = |taps: f64, is_whole: bool| Round {
             taps: taps as usize,
-            sampling: if is_whole { Sampling::Once } else { goes_on },
+            sampling: if is_whole { Sampling::Once } else { continuing },
         };
         Ok(Self {
-            looked_at,
+            used,
+            lasts,
             first: round(first, decays),
-            goes_on,
-            longest: round(longest, is_whole),
+            continuing,
+            longest: round(longest, decays && lasts <= longest),
             channels,
             on_thread,
         })
     }
 
+    /// The same for as many responses side by side as take no more than a number of bytes, on any
+    /// number of threads; one, at least.
+    pub(super) fn within(mut self, bytes: f64) -> Self {
+        let on_thread = std::mem::take(&mut self.on_thread);
+        while self.channels > 1 && self.need().peak > bytes {
+            self.channels -= 1;
+        }
+        Self { on_thread, ..self }
+    }
+
     /// Taps of each response, at most.
     pub(super) fn taps(&self) -> usize {
         self.longest.taps
+    }
+
+    /// Responses that are built side by side.
+    pub(super) fn channels(&self) -> usize {
+        self.channels
     }
 
     /// What the longest round takes.
@@ -120,8 +142,8 @@ impl Rounds {
         quadrature::buffers(round.taps, self.channels, round.sampling).need(self.on_thread)
     }
 
-    /// Builds responses of growing length until they have decayed or are at least as long as
-    /// they are looked at; those that go on then are sampled as they ask for.
+    /// Builds responses of growing length until they have decayed or are at least as long as they
+    /// are used; those that then continue are sampled as they ask for.
     ///
     /// # Errors
     /// Where a round asks for more memory than is left, or they last longer than they may.
@@ -136,10 +158,13 @@ impl Rounds {
             let working = budget.begin(self.need_of(round), What::Responses)?;
             let mut taps = build(round.taps, round.sampling);
             let left = OF_ROUNDING * left_at_end(&taps);
+            if round.taps as f64 >= self.lasts {
+                rounding = MOST_OF_ROUNDING;
+            }
             let negligible = NEGLIGIBLE_TAIL.max(left.min(rounding));
             let has_decayed = cut_decayed_tail(&mut taps, negligible);
-            let is_enough = round.taps as f64 >= self.looked_at;
-            if has_decayed || (is_enough && round.sampling == self.goes_on) {
+            let is_enough = round.taps as f64 >= self.used;
+            if has_decayed || (is_enough && round.sampling == self.continuing) {
                 return Ok(Built {
                     ending: if has_decayed {
                         Ending::Whole
@@ -151,12 +176,12 @@ impl Rounds {
                 });
             }
             if is_enough {
-                // What goes on after all was folded back.
-                round.sampling = self.goes_on;
+                // A response that continues after all was folded back.
+                round.sampling = self.continuing;
                 continue;
             }
             if round.taps == MOST_TAPS {
-                return Err(too_many(self.looked_at));
+                return Err(too_many(self.used));
             }
             round.taps = (2 * round.taps).min(MOST_TAPS);
             rounding = ROUNDING * round.taps as f64;
@@ -169,9 +194,9 @@ pub(super) fn bytes_of(responses: &[Vec<f64>]) -> f64 {
     REAL * responses.iter().map(Vec::len).sum::<usize>() as f64
 }
 
-/// Taps beyond which no response is looked at: neither by a simulation, which may take so
-/// long (s), nor for its undershoot.
-fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> f64 {
+/// Taps beyond which no response is used: neither by a simulation, which may take this long (s),
+/// nor for its undershoot.
+fn used_taps(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> f64 {
     let time = longest_time.max(undershoot_time(string));
     let taps = needed_taps(time, sampling_frequency);
     if taps > MOST_TAPS as f64 {
@@ -179,31 +204,3 @@ fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -
     }
     transformable(taps as usize) as f64
 }
-
-/// No motion in torsion dies away more slowly than this, 1/s: vibration loses at least
-/// what the damping takes of the heaviest tube, and what seeps has a time of its own.
-fn slowest_rate(string: &Drillstring) -> f64 {
-    let loss = string.loss();
-    let heaviest = string
-        .tubes()
-        .map(|(_, tube)| tube.polar_moment())
-        .fold(0.0, f64::max);
-    let damped = if loss.has_memory() {
-        // Mud holds back the slowest mode least; where it is not alike everywhere, one may be held
-        // back less than the whole string is.
-        LEAST_OF_MEAN * torsional_decay_rate(string)
-    } else {
-        string.torsional_damping() / (2.0 * string.material().density * heaviest)
-    };
-    // What a top drive holds of the inertia is not damped by the string.
-    let inertia = torsional_inertia(string);
-    let of_drive = string.top_drive().map_or(0.0, |drive| drive.inertia);
-    let vibrates = damped * inertia / (inertia + of_drive);
-    let seeps = 1.0 / torsional_settling_time(string);
-    vibrates
-        .min(seeps)
-        .min(loss.slowest_memory(string.hole_radii()))
-}
-
-/// How much less than the whole string a mode is damped, at most.
-const LEAST_OF_MEAN: f64 = 0.5;

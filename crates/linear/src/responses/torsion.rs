@@ -5,6 +5,7 @@ use super::decay::first_length;
 use super::length::{all_finite, samples_of, transform_length};
 use super::request::Request;
 use super::rounds::{Built, Rounds};
+use super::slowest::{Scheme, loss_per_step};
 use super::trains::{ImpulseTrains, TrainsPlan};
 use super::wanted::Wanted;
 use crate::assembly::lanes::Lanes;
@@ -22,8 +23,8 @@ use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
 use crate::waves::network::TorsionNetwork;
 
-/// A digital filter lasts at least so many time constants of what seeps along the
-/// string: its static stiffness is then right to a part in a thousand.
+/// A digital filter lasts at least this number of time constants of seepage along the string: its
+/// static stiffness is then right to a part in a thousand.
 const SEEPING_TIMES: f64 = 8.0;
 
 /// Torsional responses before they are built.
@@ -43,7 +44,7 @@ enum Lengths<'a> {
     /// Built until they have decayed.
     Rounds(Rounds),
     /// Made of trains of impulses, which are to be built.
-    Trains(TrainsPlan<'a>),
+    Trains(Box<TrainsPlan<'a>>),
     /// Made of trains that are there.
     Known(&'a ImpulseTrains),
     /// Made by one transform.
@@ -64,19 +65,25 @@ impl<'a> TorsionPlan<'a> {
     ) -> Result<Self, BuildError> {
         let channels = wanted.count(request.sites.len());
         let on_thread = working_bytes(request.sites.len(), 1);
-        let rounds = |ring: bool| {
-            let goes_on = (Sampling::Close, ring);
-            Rounds::new(string, request, goes_on, (channels, on_thread)).map(Lengths::Rounds)
+        let rounds = |scheme: Scheme| {
+            let loss = loss_per_step(string, scheme, request.sampling_frequency);
+            let continuing = (Sampling::Close, loss);
+            Rounds::new(string, request, continuing, (channels, on_thread)).map(Lengths::Rounds)
         };
         let lengths = match (method, trains) {
             (Method::Held, Some(trains)) => {
                 trains.check(string, request, wanted.torques())?;
                 Lengths::Known(trains)
             }
-            (Method::Held, None) => Lengths::Trains(TrainsPlan::new(string, request, wanted)?),
-            (Method::Quadrature | Method::FiniteElement(_), _) => rounds(false)?,
-            // It rings for ever at the highest frequency.
-            (Method::Trapezoidal, _) => rounds(true)?,
+            (Method::Held, None) => {
+                Lengths::Trains(Box::new(TrainsPlan::new(string, request, wanted)?))
+            }
+            (Method::Quadrature, _) => rounds(Scheme::BackwardDifferences)?,
+            (Method::Trapezoidal, _) => rounds(Scheme::Trapezoidal)?,
+            (Method::FiniteElement(parameters), _) => {
+                let weights = Weights::new(parameters, request.sampling_frequency)?;
+                rounds(Scheme::Newmark(weights))?
+            }
             (Method::Hilbert(transform), _) => {
                 let length = transform_length_of(string, method, transform, request)?;
                 Lengths::Transform(hilbert::buffers(length, channels))
@@ -115,11 +122,7 @@ impl<'a> TorsionPlan<'a> {
             Lengths::Rounds(rounds) => rounds.need(),
             Lengths::Transform(buffers) => buffers.need(on_thread),
             Lengths::Known(_) => Need::lasting(self.bytes()),
-            // The trains go once the taps are there.
-            Lengths::Trains(plan) => Need {
-                kept: self.bytes(),
-                ..plan.need().then(Need::lasting(self.bytes()))
-            },
+            Lengths::Trains(plan) => plan.need(self.bytes()),
         }
     }
 
@@ -147,12 +150,7 @@ impl<'a> TorsionPlan<'a> {
     fn taps_of_all<'b>(&self, budget: &'b Budget) -> Result<Built<'b>, BuildError> {
         match &self.lengths {
             Lengths::Rounds(rounds) => self.built_in_rounds(rounds, budget),
-            Lengths::Trains(plan) => {
-                let (trains, memory) = plan.build_within(budget)?;
-                let built = self.taps_of_trains(&trains, budget);
-                drop(memory);
-                built
-            }
+            Lengths::Trains(plan) => plan.taps_within(budget),
             Lengths::Known(trains) => self.taps_of_trains(trains, budget),
             Lengths::Transform(buffers) => {
                 let need = self.need();

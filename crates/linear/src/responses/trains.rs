@@ -1,11 +1,12 @@
 //! Torsional responses as trains of impulses, once for all sampling frequencies.
 
 use super::request::{ChannelRequest, Request};
-use super::rounds::{Rounds, bytes_of};
+use super::rounds::{Built, Rounds, bytes_of};
+use super::slowest::{Scheme, loss_per_step};
 use super::wanted::Wanted;
 use crate::assembly::lanes::Lanes;
 use crate::assembly::working_bytes;
-use crate::budget::{Budget, Need, Reserved};
+use crate::budget::{Budget, Need, REAL, What};
 use crate::drillstring::{Drillstring, StringId};
 use crate::error::{BuildError, ResponseError};
 use crate::filters::{held, quadrature};
@@ -25,14 +26,16 @@ pub struct ImpulseTrains {
     longest_time: f64,
     /// Time between two impulses, s.
     step: f64,
-    /// Of all sites from the surface, then of all sites from each torque.
+    /// Of all sites from the surface, then of all sites from each torque; equal ones once.
     trains: Vec<Vec<f64>>,
+    /// Which of them each response is made of.
+    made_of: Vec<usize>,
     ending: Ending,
 }
 
 impl ImpulseTrains {
-    /// Those that a request for [`crate::Method::Held`] needs, whatever its sampling
-    /// frequency; `None` where it asks for no torsion.
+    /// Those that a request for [`crate::Method::Held`] needs, at any sampling frequency; `None`
+    /// where it asks for no torsion.
     ///
     /// # Errors
     /// As [`crate::responses()`].
@@ -45,9 +48,7 @@ impl ImpulseTrains {
         torques
             .map(|torques| {
                 let plan = TrainsPlan::new(string, request, Wanted::Sites { torques })?;
-                let budget = Budget::unlimited();
-                let (trains, _) = plan.build_within(&budget)?;
-                Ok(trains)
+                plan.build()
             })
             .transpose()
     }
@@ -72,12 +73,9 @@ impl ImpulseTrains {
 
     /// The taps at a sampling frequency, Hz, and how they end.
     pub(super) fn taps(&self, sampling_frequency: f64) -> (Vec<Vec<f64>>, Ending) {
-        let spacing = self.step * sampling_frequency;
-        let taps = self
-            .trains
-            .iter()
-            .map(|train| held::shared(train, spacing, held::taps_of(train.len(), spacing)));
-        (taps.collect(), self.ending)
+        let taps = taps_of_each(&self.trains, self.step * sampling_frequency);
+        let all = self.made_of.iter().map(|&train| taps[train].clone());
+        (all.collect(), self.ending)
     }
 
     /// Impulses of each train, and the time between two, s.
@@ -91,6 +89,19 @@ impl ImpulseTrains {
     }
 }
 
+/// Taps that trains are shared out among.
+fn taps_of_each(trains: &[Vec<f64>], spacing: f64) -> Vec<Vec<f64>> {
+    (trains.iter())
+        .map(|train| held::shared(train, spacing, held::taps_of(train.len(), spacing)))
+        .collect()
+}
+
+/// Trains are made of this number of bytes at a time. A lattice has thousands of steps in a travel
+/// time: of a string that rubs, trains between twenty nodes take a hundred times as much as the
+/// taps that are kept of them. The number is the same on any machine and under any limit of memory,
+/// as taps are: trains that are made apart are cut where each of them has decayed.
+const AT_A_TIME: f64 = (1u64 << 30) as f64;
+
 /// Trains of impulses before they are built.
 #[derive(Debug)]
 pub(super) struct TrainsPlan<'a> {
@@ -98,7 +109,11 @@ pub(super) struct TrainsPlan<'a> {
     request: &'a Request,
     wanted: Wanted<'a>,
     lattice: Lattice,
+    /// Of all trains, and of those that are made at a time.
     rounds: Rounds,
+    at_a_time: Rounds,
+    /// Responses that are not equal to one before, by place.
+    different: Vec<usize>,
 }
 
 impl<'a> TrainsPlan<'a> {
@@ -111,14 +126,19 @@ impl<'a> TrainsPlan<'a> {
     ) -> Result<Self, BuildError> {
         let lattice = Lattice::new(string, &request.sites)?;
         let sites = request.sites.len();
-        let size = (wanted.count(sites), working_bytes(sites, 1));
+        let different = wanted.different(sites);
+        let size = (different.len(), working_bytes(sites, 1));
         let on_lattice = on_lattice(request, &lattice);
+        let loss = loss_per_step(string, Scheme::Lattice, on_lattice.sampling_frequency);
+        let rounds = Rounds::new(string, &on_lattice, (held::SAMPLING, loss), size)?;
         Ok(Self {
-            rounds: Rounds::new(string, &on_lattice, (held::SAMPLING, false), size)?,
+            rounds,
+            at_a_time: rounds.within(AT_A_TIME),
             string,
             request,
             wanted,
             lattice,
+            different,
         })
     }
 
@@ -127,48 +147,111 @@ impl<'a> TrainsPlan<'a> {
         (self.rounds.taps(), self.lattice.step)
     }
 
-    /// What building takes.
-    pub(super) fn need(&self) -> Need {
-        self.rounds.need()
+    /// What building taps takes that are a number of bytes.
+    pub(super) fn need(&self, bytes: f64) -> Need {
+        let trains = self.at_a_time.need();
+        let kept = bytes;
+        if self.at_a_time.channels() == self.different.len() {
+            // The trains go once the taps are there.
+            let peak = trains.then(Need::lasting(bytes)).peak;
+            return Need { peak, kept };
+        }
+        let peak = trains.peak + bytes;
+        Need { peak, kept }
     }
 
-    /// Builds them, within a budget that has them until their memory is dropped.
+    /// Builds the trains, all at once.
+    fn build(&self) -> Result<ImpulseTrains, BuildError> {
+        let budget = Budget::unlimited();
+        let built = self.trains(&self.rounds, &self.different, &budget)?;
+        Ok(ImpulseTrains {
+            string: self.string.id(),
+            sites: self.request.sites.clone(),
+            torques: self.wanted.torques().to_vec(),
+            longest_time: self.request.longest_time,
+            step: self.lattice.step,
+            made_of: self.made_of(),
+            trains: built.taps,
+            ending: built.ending,
+        })
+    }
+
+    /// Builds the taps, of some trains at a time, within a budget.
     ///
     /// # Errors
     /// As [`crate::ResponsePlan::build`].
-    pub(super) fn build_within<'b>(
+    pub(super) fn taps_within<'b>(&self, budget: &'b Budget) -> Result<Built<'b>, BuildError> {
+        let spacing = self.lattice.step * self.request.sampling_frequency;
+        let rounds = &self.at_a_time;
+        let (mut taps, mut ending) = (Vec::new(), Ending::Whole);
+        let mut memory = budget.reserve(0.0, What::Responses)?;
+        for places in self.different.chunks(rounds.channels()) {
+            let trains = self.trains(rounds, places, budget)?;
+            let lengths = trains.taps.iter().map(Vec::len);
+            let count: usize = lengths.map(|length| held::taps_of(length, spacing)).sum();
+            memory = memory.and(budget.reserve(REAL * count as f64, What::Responses)?);
+            taps.extend(taps_of_each(&trains.taps, spacing));
+            if trains.ending != Ending::Whole {
+                ending = trains.ending;
+            }
+        }
+        let longest = taps.iter().map(Vec::len).max().unwrap_or(0);
+        let made_of = self.made_of();
+        let more = REAL * (made_of.len() * longest) as f64 - bytes_of(&taps);
+        memory = memory.and(budget.reserve(more, What::Responses)?);
+        for taps in &mut taps {
+            taps.resize(longest, 0.0);
+        }
+        // Each response in its place: the first that is made of taps takes them, others copy them.
+        let mut all: Vec<Vec<f64>> = vec![Vec::new(); made_of.len()];
+        for (&place, taps) in self.different.iter().zip(taps) {
+            all[place] = taps;
+        }
+        for (place, made_of) in made_of.iter().enumerate() {
+            let first = self.different[*made_of];
+            if first != place {
+                all[place] = all[first].clone();
+            }
+        }
+        Ok(Built {
+            taps: all,
+            ending,
+            memory,
+        })
+    }
+
+    /// For each response which of the trains it is made of.
+    fn made_of(&self) -> Vec<usize> {
+        let same_as = self.wanted.same_as(self.request.sites.len());
+        let train = |place: usize| self.different.partition_point(|&other| other < place);
+        same_as.into_iter().map(train).collect()
+    }
+
+    /// Some of the trains.
+    fn trains<'b>(
         &self,
+        rounds: &Rounds,
+        places: &[usize],
         budget: &'b Budget,
-    ) -> Result<(ImpulseTrains, Reserved<'b>), BuildError> {
+    ) -> Result<Built<'b>, BuildError> {
         let Self {
-            string,
-            request,
-            wanted,
-            lattice,
-            rounds,
+            wanted, lattice, ..
         } = self;
         let response = |zeta: Lanes, responses: &mut [Lanes]| {
             let torque = || lattice.surface_torque(zeta);
-            wanted.write(|| lattice.admittance(zeta), torque, responses);
+            wanted.write_some(places, || lattice.admittance(zeta), torque, responses);
         };
-        let count = wanted.count(request.sites.len());
         let built = rounds.build(budget, |impulses, sampling| {
-            quadrature::series(impulses, count, sampling, &response)
+            quadrature::series(impulses, places.len(), sampling, &response)
         })?;
-        let trains = ImpulseTrains {
-            string: string.id(),
-            sites: request.sites.clone(),
-            torques: wanted.torques().to_vec(),
-            longest_time: request.longest_time,
-            step: lattice.step,
-            trains: built.taps,
+        Ok(Built {
             ending: match built.ending {
                 // Nothing makes fronts on a lattice smoother.
                 Ending::Cut => Ending::Ringing,
                 ending => ending,
             },
-        };
-        Ok((trains, built.memory))
+            ..built
+        })
     }
 }
 
@@ -179,5 +262,62 @@ fn on_lattice(request: &Request, lattice: &Lattice) -> Request {
         sampling_frequency: 1.0 / lattice.step,
         longest_time: request.longest_time + 2.0 / request.sampling_frequency,
         ..request.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drillstring::{Material, Section, Tube};
+
+    fn string(damping: f64) -> Drillstring {
+        let tube = |outer_radius| Tube {
+            length: 300.0,
+            inner_radius: 0.04,
+            outer_radius,
+        };
+        let section = Section {
+            repeat: 1,
+            parts: vec![tube(0.06), tube(0.1)],
+        };
+        let steel = Material {
+            density: 7850.0,
+            shear_modulus: 79.3e9,
+        };
+        Drillstring::new(steel, vec![section], damping).unwrap()
+    }
+
+    /// To the last bit where nothing is cut before the end of the simulation; else up to what a
+    /// response that has decayed is cut off.
+    #[test]
+    fn taps_of_trains_made_one_by_one_are_those_of_all_at_once() {
+        for (damping, off_by_most) in [(0.5, 0.0), (50.0, 1e-9)] {
+            let string = string(damping);
+            let request = Request {
+                sites: Sites::new(&string, &[400.0, 170.0, 0.0]).unwrap(),
+                channels: Vec::new(),
+                sampling_frequency: 100.0,
+                longest_time: 6.0,
+            };
+            let torques = &[0, 1, 2];
+            let mut plan = TrainsPlan::new(&string, &request, Wanted::Sites { torques }).unwrap();
+            let budget = Budget::unlimited();
+            let together = plan.taps_within(&budget).unwrap();
+            plan.at_a_time = plan.rounds.within(0.0);
+            assert_eq!(plan.at_a_time.channels(), 1);
+            let apart = plan.taps_within(&budget).unwrap();
+            assert_eq!(apart.ending, together.ending);
+            assert_eq!(together.taps.len(), 12);
+            let taps = |built: &Built| built.taps[0].len();
+            assert!(taps(&apart) <= taps(&together) && taps(&apart) > 100);
+            for (one, other) in apart.taps.iter().zip(&together.taps) {
+                let sum: f64 = other.iter().map(|tap| tap.abs()).sum();
+                let missing = other.len() - one.len();
+                let ends = std::iter::repeat_n(&0.0, missing);
+                let off =
+                    (one.iter().chain(ends).zip(other)).map(|(one, other)| (one - other).abs());
+                assert!(off.sum::<f64>() <= off_by_most * sum);
+            }
+        }
     }
 }

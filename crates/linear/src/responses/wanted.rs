@@ -24,7 +24,7 @@ impl<'a> Wanted<'a> {
         }
     }
 
-    /// How many responses there are, of so many sites.
+    /// How many responses there are, for a number of sites.
     pub(super) fn count(self, sites: usize) -> usize {
         match self {
             Wanted::Sites { torques } => sites * (1 + torques.len()),
@@ -32,7 +32,58 @@ impl<'a> Wanted<'a> {
         }
     }
 
-    /// Writes them: of all sites from the surface, then of all sites from each torque; or the
+    /// Those of them, by place, that none before is equal to: where torques act on two sites, each
+    /// answers the other's as the other does its own (reciprocity).
+    pub(super) fn different(self, sites: usize) -> Vec<usize> {
+        let same_as = self.same_as(sites).into_iter().enumerate();
+        same_as
+            .filter(|(place, same)| place == same)
+            .map(|(place, _)| place)
+            .collect()
+    }
+
+    /// For each the first that it is equal to, by place.
+    pub(super) fn same_as(self, sites: usize) -> Vec<usize> {
+        let torques = self.torques();
+        let place_of = |site: usize, input: usize| sites + site * torques.len() + input;
+        let reciprocal = |site: usize, input: usize| {
+            let input_there = torques.iter().position(|&other| other == site)?;
+            Some(place_of(torques[input], input_there))
+        };
+        let from_torques = (0..self.count(sites).saturating_sub(sites)).map(|pair| {
+            let (site, input) = (pair / torques.len(), pair % torques.len());
+            let own = place_of(site, input);
+            reciprocal(site, input).map_or(own, |other| own.min(other))
+        });
+        let from_surface = 0..self.count(sites).min(sites);
+        from_surface.chain(from_torques).collect()
+    }
+
+    /// Writes some of them, by place.
+    pub(super) fn write_some(
+        self,
+        places: &[usize],
+        admittance: impl FnOnce() -> TorsionAdmittance<Lanes>,
+        surface_torque: impl FnOnce() -> Lanes,
+        responses: &mut [Lanes],
+    ) {
+        let Wanted::Sites { torques } = self else {
+            return responses[0] = surface_torque();
+        };
+        let admittance = admittance();
+        let sites = admittance.from_surface.len();
+        for (response, place) in responses.iter_mut().zip(places) {
+            *response = match place.checked_sub(sites) {
+                None => admittance.from_surface[*place],
+                Some(pair) => {
+                    let (site, input) = (pair / torques.len(), pair % torques.len());
+                    admittance.from_torque[(site, torques[input])]
+                }
+            };
+        }
+    }
+
+    /// Writes all of them: of all sites from the surface, then of all sites from each torque; or the
     /// torque at the surface.
     pub(super) fn write(
         self,
@@ -54,5 +105,22 @@ impl<'a> Wanted<'a> {
         for (response, value) in responses[sites..].iter_mut().zip(from_torques) {
             *response = value;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_of_sites_that_torques_act_on_are_made_once() {
+        let torques = &[0, 2];
+        let wanted = Wanted::Sites { torques };
+        // From the surface; site 0 from 0 and 2, site 1 from 0 and 2, site 2 from 0 and 2.
+        assert_eq!(wanted.same_as(3), [0, 1, 2, 3, 4, 5, 6, 4, 8]);
+        assert_eq!(wanted.different(3), [0, 1, 2, 3, 4, 5, 6, 8]);
+        assert_eq!(Wanted::SurfaceTorque.different(3), [0]);
+        let none = Wanted::Sites { torques: &[] };
+        assert_eq!(none.different(2), [0, 1]);
     }
 }

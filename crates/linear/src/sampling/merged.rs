@@ -1,5 +1,5 @@
-//! A string as it is, whatever its lengths were divided into: equal neighbours are one tube,
-//! and what repeats is one section.
+//! A string independent of how its lengths were divided: equal neighbours become one tube, and
+//! repetitions one section.
 
 use crate::drillstring::{Drillstring, Section, Tube};
 use crate::error::DrillstringError;
@@ -35,7 +35,7 @@ pub fn merged(string: &Drillstring) -> Result<Drillstring, DrillstringError> {
     }
 }
 
-/// A hole that reaches below whatever rounding makes of a string.
+/// A hole that reaches below the end of a string, however that is rounded.
 fn deeper(hole: &Hole) -> Hole {
     let mut deeper = hole.clone();
     if let Some(last) = deeper.sections.last_mut() {

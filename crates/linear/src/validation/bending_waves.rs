@@ -100,7 +100,7 @@ fn val_a_long_damped_beam_is_one_way_and_does_not_overflow() {
     assert!(!plain.is_finite(), "expected the closed form to overflow");
 }
 
-/// The academic string's drillpipe, so many cells of it.
+/// A number of cells of the academic string's drillpipe.
 fn cells(repeat: usize) -> Drillstring {
     let academic = academic::string();
     let pipe = Section {

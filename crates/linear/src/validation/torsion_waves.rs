@@ -253,7 +253,7 @@ fn val_taps_end_where_they_have_decayed() {
     }
 }
 
-/// A string that rings for longer than it is looked at has no taps beyond; those that it has
+/// A string that rings for longer than it is simulated has no taps beyond; those that it has
 /// are the first of all, and no less passive.
 #[test]
 fn val_taps_end_where_nothing_looks_any_more() {
@@ -423,8 +423,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..Default::default() })]
 
-    /// The taps of the quadrature, whatever the string, as long as they are
-    /// kept until they have decayed.
+    /// The taps of the quadrature, on any string, as long as they are kept until they have decayed.
     #[test]
     fn val_the_taps_of_any_damped_string_are_positive_real(
         repeat in 1..2000usize,

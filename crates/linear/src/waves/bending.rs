@@ -19,7 +19,7 @@ use crate::drillstring::{Bending, Tube};
 /// halved until it is.
 const SHORT: f64 = 1.0;
 
-/// The series has converged to rounding after so many powers of the length.
+/// The series has converged to rounding after this number of powers of the length.
 const POWERS: usize = 26;
 
 /// What a tube meets as it bends.
@@ -110,8 +110,8 @@ pub fn endless<T: Number>(
     })
 }
 
-/// That of the part of a tube that is left after halving it so many times, until its waves
-/// turn by no more than [`SHORT`].
+/// That of the part of a tube that is left after halving it repeatedly, until its waves turn by no
+/// more than [`SHORT`].
 pub fn short_part<T: Number>(bending: &Bending, tube: &Tube, mass: f64, s: T) -> (Beam<T>, u32) {
     short_part_of(bending, tube, Resistance::constant(bending, mass, s))
 }
@@ -148,7 +148,7 @@ fn short_part_of<T: Number>(
 }
 
 /// What a solution of x⁗ + p x″ + Q x = 0 on (0, 1) with x^(j)(0)/j! = 1, and the other
-/// derivatives up to the third zero at 0, has beside the rigid motion of its start.
+/// derivatives up to the third zero at 0, has in addition to the rigid motion of its start.
 struct Bent<T> {
     /// x, x′, x″, x‴ at 1.
     ends: [T; 4],
@@ -156,10 +156,10 @@ struct Bent<T> {
     moments: [T; 2],
 }
 
-/// Compression over rigidity: a number, or as many as there are frequencies where the modulus
+/// Compression over rigidity: a number, or one for each frequency where the modulus
 /// depends on these.
 trait Compression<T>: Copy {
-    /// Whether there is none.
+    /// Whether it is zero.
     fn is_none(self) -> bool;
 
     /// As numbers are multiplied by it.
@@ -168,7 +168,7 @@ trait Compression<T>: Copy {
     /// As it is taken from numbers.
     fn taken_from(self, number: T) -> T;
 
-    /// So many times as much.
+    /// Multiplied by a number.
     fn multiplied(self, by: f64) -> Self;
 
     /// As what it is.

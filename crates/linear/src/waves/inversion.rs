@@ -35,7 +35,7 @@ pub fn time_response(
     time_responses(only, 1, step, count, oversampling).swap_remove(0)
 }
 
-/// The same for so many `functions` whose transforms are found together.
+/// The same for a number of `functions` whose transforms are found together.
 ///
 /// Frequencies that differ by a multiple of the sampling rate are one at the times of the
 /// samples. So they are added up before the FFT, which is as short as what it returns.

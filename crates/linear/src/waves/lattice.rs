@@ -28,11 +28,11 @@ use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::top_drive::TopDrive;
 
-/// A string has at least so many pieces.
+/// The least number of pieces of a string.
 const FEWEST_PIECES: f64 = 1000.0;
 
-/// It has no more than so many, unless its damping or its shortest part want them; and for
-/// the sake of a part never more than that.
+/// The most pieces of a string, unless its damping or its shortest part requires more; and the most
+/// for the sake of a part.
 const USUAL_PIECES: f64 = 8000.0;
 const MOST_PIECES: f64 = 50_000.0;
 
@@ -209,10 +209,10 @@ fn steps(
     steps.into_iter().step_by(stride).collect()
 }
 
-/// For each length, so many numbers of pieces are tried.
+/// The numbers of pieces that are tried for each length.
 const TRIED: u32 = 64;
 
-/// And no more than so many in all, spread over a string of very many parts.
+/// The most that are tried in all, spread over a string of very many parts.
 const MOST_TRIED: usize = 2000;
 
 /// Cuts run after run.
@@ -323,7 +323,7 @@ impl Run {
         })
     }
 
-    /// A cell with so many more pieces; `None` where it has none.
+    /// A cell with `more` further pieces; `None` where it has no pieces.
     fn cell<T: Number>(&self, more: usize, waves: &Waves<'_, T>) -> Option<DynamicStiffness<T>> {
         let parts = self.parts.iter().enumerate().filter_map(|(index, part)| {
             let more = if index == self.longest { more } else { 0 };
@@ -334,7 +334,7 @@ impl Run {
 }
 
 impl Part {
-    /// Torques per speed of so many pieces in a row. A piece has Z(1 + ζ²)/(1 − ζ²) +
+    /// Torques per speed of a number of pieces in a row. A piece has Z(1 + ζ²)/(1 − ζ²) +
     /// D/2 at either end and −2Zζ/(1 − ζ²) across.
     fn stiffness<T: Number>(
         &self,

@@ -81,10 +81,10 @@ impl TorsionNetwork<'_> {
         reduce(self.pieces(s), self.sites, s, self.drive(s))
     }
 
-    /// Zero where the string swings on its own, the bit free: the torque that the bit opposes
+    /// Zero at the free oscillations of the string with a free bit: the torque that the bit opposes
     /// where the surface feels one of 1 (N m), or, with a drive, turns by 1 rad. Unlike the
-    /// response of the bit it has no poles, not even beside the zeros of modes that the bit
-    /// hardly feels.
+    /// response of the bit it has no poles, not even near the zeros of modes that the bit hardly
+    /// feels.
     pub(crate) fn characteristic(&self, s: Complex64) -> Complex64 {
         let whole = self.pieces(s).flatten().reduce(Stiffness::join);
         let Some(DynamicStiffness { top, cross, bottom }) = whole else {

@@ -2,15 +2,15 @@
 //! pulls it along.
 
 mod axial_force;
+mod quasi_static_twist;
 mod short_lengths;
 mod side_force;
 mod survey;
-mod winding_up;
 
 pub use axial_force::HangingString;
+pub use quasi_static_twist::{QuasiStaticTwist, TooFine, least_pieces};
 pub use side_force::{PressedBy, SideForce};
 pub use survey::{Station, Survey, SurveyError};
-pub use winding_up::{TooFine, WindingUp, least_pieces};
 
 /// Acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.806_65;

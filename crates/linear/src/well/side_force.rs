@@ -4,9 +4,9 @@
 //! it turns, so that friction does not hold it along the well.
 
 use super::GRAVITY;
+use super::quasi_static_twist::{QuasiStaticTwist, Stretch};
 use super::short_lengths::{ShortLength, short_lengths};
 use super::survey::{Survey, Vector, combine, length};
-use super::winding_up::{Stretch, WindingUp};
 use crate::drillstring::Drillstring;
 use crate::surroundings::Mud;
 
@@ -88,9 +88,9 @@ impl SideForce {
         }
     }
 
-    /// Torque that the wall may exert per coefficient of friction, N m, on each of so many
-    /// equal pieces of the string, under a weight on bit (N). A short length of string, up to
-    /// two metres, is not divided between two of them ([`WindingUp::friction_torques`] does).
+    /// Torque that the wall may exert per coefficient of friction, N m, on each of a number of
+    /// equal pieces of the string, under a weight on bit (N). A short length of string, up to two
+    /// metres, is not divided between two of them ([`QuasiStaticTwist::friction_torques`] does).
     pub fn friction_torques(&self, pieces: usize, weight_on_bit: f64) -> Vec<f64> {
         let mut torques = vec![0.0; pieces];
         let whole = (self.pieces.last()).map_or(0.0, |last| last.depth + 0.5 * last.length);
@@ -102,13 +102,13 @@ impl SideForce {
     }
 
     /// The string as it is wound up by its surface under this friction and a weight on bit (N).
-    pub fn wound_up(&self, weight_on_bit: f64) -> WindingUp {
+    pub fn wound_up(&self, weight_on_bit: f64) -> QuasiStaticTwist {
         let stretches = self.pieces.iter().map(|piece| Stretch {
             length: piece.length,
             torque: piece.friction_torque(weight_on_bit),
             compliance: piece.compliance,
         });
-        WindingUp::new(stretches)
+        QuasiStaticTwist::new(stretches)
     }
 
     /// The weight of the string along the well, buoyed, N: what the hook carries above a bit that
@@ -159,7 +159,7 @@ mod tests {
         Survey::new(stations.iter().map(station).collect()).unwrap()
     }
 
-    /// In a straight well a part sin(inclination) of the weight presses, whatever pulls.
+    /// In a straight well a fraction sin(inclination) of the weight presses, under any tension.
     #[test]
     fn a_straight_well_bears_the_weight_across_it() {
         let string = pipe(1000.0);

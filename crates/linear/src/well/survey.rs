@@ -27,7 +27,7 @@ pub enum SurveyError {
     /// There are not two.
     #[error("a survey has at least two stations")]
     TooFew,
-    /// A number is none, or an inclination not from 0 to 180°.
+    /// A number is not finite, or an inclination not from 0 to 180°.
     #[error("station {0} (counted from 0) is no place of a well")]
     NoPlace(usize),
     /// The first is below the surface.

@@ -44,7 +44,7 @@ fn taken_over(string: &Drillstring, asked: &Request, method: Method) -> [bool; 2
         let plan = ResponsePlan::after(string, &method, asked, earlier).unwrap();
         plan.build(&Budget::unlimited()).unwrap()
     };
-    // Whatever is taken over, it is what would be built.
+    // Everything that is reused equals what would be built.
     let fresh = responses(string, &method, asked).unwrap();
     assert_eq!(after(&built), fresh);
     let (marked, fresh) = (after(&marked(built)).channels, fresh.channels);

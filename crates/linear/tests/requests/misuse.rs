@@ -15,7 +15,7 @@ use linear::{
 use problems::academic::BENDING;
 use problems::pipes::{STEEL, pipe, row};
 
-/// A string of so many pipes of ten metres.
+/// A string of a number of pipes of ten metres.
 fn string(pipes: usize) -> Drillstring {
     row(pipes, 10.0)
 }
@@ -188,7 +188,7 @@ fn a_string_longer_than_all_numbers_has_no_responses() {
     }
 }
 
-/// A collar of a million kilometres beside a drillpipe of centimetres: 10¹² elements.
+/// A collar of a million kilometres next to a drillpipe of centimetres: 10¹² elements.
 #[test]
 fn more_elements_than_are_made_are_refused() {
     let sections = [(2, 0.01), (1, 1e9)].map(|(repeat, length)| Section {

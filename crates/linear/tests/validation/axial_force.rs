@@ -1,5 +1,5 @@
 //! Validation of the axial force in bending: closed forms of a hanging chain and of a column under
-//! its own weight, waves beside elements, and the tolerance promised of pieces.
+//! its own weight, waves compared with elements, and the promised tolerance of pieces.
 
 use linear::bending_modes::BendingModes;
 use linear::waves::lateral::BendingNetwork;
@@ -49,7 +49,7 @@ fn hanging(
     string.clone().under_axial_force(force).unwrap()
 }
 
-/// A chain swings at ω = j/2 √(g/L), j the zeros of Bessel's J₀; mud buoys it.
+/// A chain swings at ω = j/2 √(g/L), j the zeros of Bessel's J₀; with buoyancy in mud.
 #[test]
 fn val_without_stiffness_it_swings_as_a_chain() {
     let string = plain(1000.0, 0.05, 0.07);
@@ -187,7 +187,7 @@ fn val_a_hanging_string_comes_back() {
 
 /// However near to the end of a tube the hole changes.
 #[test]
-fn val_a_cut_beside_a_joint_changes_no_frequency() {
+fn val_a_cut_next_to_a_joint_changes_no_frequency() {
     let string = hanging(&plain(2000.0, 0.05, 0.07), &UNDAMPED, 0.0, 1e-2);
     let frequency = |above: f64| {
         let section = |length| HoleSection {
@@ -201,17 +201,17 @@ fn val_a_cut_beside_a_joint_changes_no_frequency() {
         modes.frequency(0).unwrap()
     };
     let whole = frequency(1000.0);
-    for beside in [1e-5, 1e-3, 0.1, 1.0] {
-        let found = frequency(1000.0 + beside);
+    for offset in [1e-5, 1e-3, 0.1, 1.0] {
+        let found = frequency(1000.0 + offset);
         assert!(
             (found / whole - 1.0).abs() < 1e-4,
-            "{beside}: {found} {whole}"
+            "{offset}: {found} {whole}"
         );
     }
 }
 
 #[test]
-fn val_elements_have_so_many_frequencies_and_no_more() {
+fn val_elements_have_this_number_of_frequencies_and_no_more() {
     let string = plain(10.0, 0.05, 0.07);
     let modes = BendingModes::new(&string, &UNDAMPED, SurfaceSupport::Free).unwrap();
     // Two at each of five nodes, the first two of them as a rigid rod.

@@ -12,7 +12,7 @@ use linear::{
 use problems::academic::{self, tube};
 use proptest::prelude::*;
 
-/// A string, how it is divided and stepped, and where it is looked at.
+/// A string, how it is divided and stepped, and where it is observed.
 #[derive(Debug, Clone)]
 struct Model {
     string: Drillstring,
@@ -146,11 +146,11 @@ fn any_model() -> impl Strategy<Value = Model> {
     let collars = (5.0..80.0f64, 0.12..0.16f64);
     let elements = (1..30usize, prop::sample::select(vec![0.5, 0.52, 0.6]));
     // A site cuts a pipe; elements of millimetres would leave steps no digit.
-    let looked_at = (50.0..2000.0f64, 0.0..1.0f64, 0.1..0.9f64);
+    let observed = (50.0..2000.0f64, 0.0..1.0f64, 0.1..0.9f64);
     let pulled = prop::option::of((0.05..0.95f64, 0.0..1e5f64, 0.0..2e4f64));
     let bent = (100.0..5000.0f64, -1e5..0.0f64, 0..3usize, pulled);
-    (pipes, collars, elements, looked_at, bent, 0.0..30.0f64).prop_map(
-        |(pipes, collars, elements, looked_at, bent, torsional_damping)| {
+    (pipes, collars, elements, observed, bent, 0.0..30.0f64).prop_map(
+        |(pipes, collars, elements, observed, bent, torsional_damping)| {
             let (repeat, pipe, joint, radius) = pipes;
             let sections = vec![
                 Section {
@@ -164,7 +164,7 @@ fn any_model() -> impl Strategy<Value = Model> {
             ];
             let material = academic::string().material();
             let mut string = Drillstring::new(material, sections, torsional_damping).unwrap();
-            let (sampling_frequency, place, cut) = looked_at;
+            let (sampling_frequency, place, cut) = observed;
             let above = (place * repeat as f64).floor() * (pipe + joint) + cut * pipe;
             let sites = Sites::new(&string, &[0.0, string.length() - above]).unwrap();
             let (damping, compression, support, pulled) = bent;

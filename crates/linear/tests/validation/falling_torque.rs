@@ -8,7 +8,7 @@ use linear::waves::network::TorsionNetwork;
 use linear::{Drillstring, Sites};
 use problems::wells::{Draw, Well};
 
-/// Frequencies that are looked at, Hz.
+/// The highest frequency examined, Hz.
 const HIGHEST: f64 = 400.0;
 
 /// The largest real response by a scan that resolves every resonance by itself.

@@ -81,7 +81,7 @@ proptest! {
     /// The last tap that a case can use is a whole one, whether the response ends with the case
     /// or has decayed by then.
     #[test]
-    fn val_no_tap_of_the_longest_case_hangs_on_how_long_it_is(
+    fn val_no_tap_of_the_longest_case_depends_on_its_length(
         pipe in 500.0..5000.0f64,
         longest_time in 0.5..20.0f64,
         sampling_frequency in 50.0..700.0f64,
@@ -111,56 +111,65 @@ proptest! {
     }
 }
 
-/// Builders ask for no more than their dry run, but for one response in a hundred: on any string in
-/// a well, below a drive or none.
+/// A string in a well, below a drive where its number is odd, what is asked of it.
+fn drawn(number: usize) -> (Drillstring, Request) {
+    let mut draw = Draw::new(number);
+    let string = Well::draw(number, &mut draw).string;
+    let drive = TopDrive {
+        inertia: draw.log_uniform(200.0, 5000.0),
+        proportional_gain: draw.log_uniform(50.0, 20_000.0),
+        integral_gain: draw.log_uniform(10.0, 20_000.0),
+    };
+    let string = match number % 2 {
+        0 => string,
+        _ => string.with_top_drive(drive).unwrap(),
+    };
+    let (frequency, time) = (draw.log_uniform(20.0, 300.0), draw.log_uniform(1.0, 100.0));
+    let mut request = request(&string, time, frequency);
+    if number % 4 > 1 {
+        // Responses between two sites, too.
+        let above = draw.uniform(0.01, 0.99) * string.length();
+        request.sites = Sites::new(&string, &[above, 0.0]).unwrap();
+        request.channels = vec![ChannelRequest::Torsion {
+            torques: vec![0, 1],
+        }];
+    }
+    (string, request)
+}
+
+/// Builds within what the plan asks for.
+fn build_as_planned(number: usize, method: &Method) {
+    let (string, request) = drawn(number);
+    let plan = ResponsePlan::new(&string, method, &request).unwrap();
+    let dry = Budget::unlimited();
+    plan.ask(&dry).unwrap();
+    let budget = Budget::new(dry.need().peak);
+    let name = method.name();
+    let built = plan.build(&budget);
+    let built = built.unwrap_or_else(|error| panic!("{number} {name}: {error}"));
+    let taps = built.torsion().unwrap().taps();
+    assert!(taps <= plan.torsion_taps(), "{number} {name}: {taps}");
+    assert!(budget.need().kept <= dry.need().kept, "{number} {name}");
+    // Half of what was taken is refused, and nothing of it stays taken.
+    let half = Budget::new(0.5 * budget.need().peak);
+    let refused = plan.build(&half);
+    let is_refused = matches!(refused, Err(BuildError::OutOfBudget(_)));
+    assert!(is_refused && half.need().kept == 0.0, "{number} {name}");
+}
+
+/// No response of any string in a well, below a drive or none, takes more than its plan asks for
+/// (nor did any of 3600 strings by any method when the bound was derived).
 #[test]
-fn val_responses_take_no_more_than_their_plan() {
-    let mut outlasting = 0;
-    for number in 0..90 {
-        let mut draw = Draw::new(number);
-        let string = Well::draw(number, &mut draw).string;
-        let drive = TopDrive {
-            inertia: draw.log_uniform(200.0, 5000.0),
-            proportional_gain: draw.log_uniform(50.0, 20_000.0),
-            integral_gain: draw.log_uniform(10.0, 20_000.0),
-        };
-        let string = match number % 2 {
-            0 => string,
-            _ => string.with_top_drive(drive).unwrap(),
-        };
-        let (frequency, time) = (draw.log_uniform(20.0, 300.0), draw.log_uniform(1.0, 100.0));
-        let request = request(&string, time, frequency);
-        for method in methods() {
-            let plan = ResponsePlan::new(&string, &method, &request).unwrap();
-            let dry = Budget::unlimited();
-            plan.ask(&dry).unwrap();
-            let budget = Budget::new(dry.need().peak);
-            let name = method.name();
-            let built = match plan.build(&budget) {
-                Ok(built) => built,
-                Err(BuildError::OutOfBudget(_)) => {
-                    outlasting += 1;
-                    continue;
-                }
-                Err(error) => panic!("{number} {name}: {error}"),
-            };
-            assert!(
-                built.torsion().unwrap().taps() <= plan.torsion_taps(),
-                "{number} {name}"
-            );
-            assert!(budget.need().kept <= dry.need().kept, "{number} {name}");
-            // Half of it is refused before it is taken.
-            let half = Budget::new(0.5 * budget.need().peak);
-            let refused = plan.build(&half);
-            assert!(
-                matches!(refused, Err(BuildError::OutOfBudget(_))),
-                "{number} {name}"
-            );
-            assert_eq!(half.need().kept, 0.0);
+fn val_no_response_outlasts_its_plan() {
+    for number in 0..600 {
+        let [held, others @ ..] = &methods();
+        others
+            .iter()
+            .for_each(|method| build_as_planned(number, method));
+        if number < 60 {
+            build_as_planned(number, held);
         }
     }
-    // What is given beforehand is a bound of the usual: finite elements may ring on for longer.
-    assert!(outlasting <= 4, "{outlasting} of 360");
 }
 
 /// Of any string in any number of pieces.
@@ -196,7 +205,7 @@ fn val_pieces_ring_no_longer_than_planned() {
 }
 
 #[test]
-fn what_never_decays_is_refused_at_once_where_it_is_looked_at_for_too_long() {
+fn what_never_decays_is_refused_at_once_where_it_is_simulated_for_too_long() {
     let string = string(1000.0, 100.0, 0.0);
     let request = request(&string, 1e7, 640.0);
     for method in methods() {

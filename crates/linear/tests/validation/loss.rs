@@ -193,7 +193,7 @@ fn val_taps_swing_and_decay_as_modes_do() {
     }
 }
 /// Known beforehand: Δ of Eq. 75 of the pipe with constant damping, in mud, with both, and with a
-/// loss factor besides; rad/s per N m.
+/// loss factor too; rad/s per N m.
 #[test]
 fn val_mud_takes_a_fifth_of_the_undershoot() {
     let strings = [
@@ -317,7 +317,7 @@ fn val_elements_have_the_drag_of_mud_to_a_part_in_200() {
     }
 }
 
-/// In steady rotation a response comes to what constant drag leaves: Couette flow.
+/// In steady rotation a response ends at the constant drag: Couette flow.
 #[test]
 fn val_steady_rotation_meets_the_drag_of_steady_flow() {
     let string = case("all");
@@ -442,7 +442,7 @@ fn val_a_pinned_collar_in_mud_swings_as_its_equation_says() {
         s -= closed(s) / slope;
     }
     assert!(s.re < -0.1 && s.im > 1.0, "{s}");
-    // Beside a pole a response is its residue over the distance, 2/L over the slope there.
+    // Next to a pole a response is its residue over the distance, 2/L over the slope there.
     let near = 1e-4 * s;
     let slope = (closed(s + near) - closed(s - near)) / (2.0 * near);
     let expected = 2.0 / 30.0 / slope / near;

@@ -9,7 +9,7 @@ mod held;
 mod lengths;
 mod loss;
 mod natural_frequencies;
+mod quasi_static_twist;
 mod sampling;
 mod side_force;
 mod top_drive;
-mod winding_up;

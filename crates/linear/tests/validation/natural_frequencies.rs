@@ -1,5 +1,5 @@
 //! Validation of natural frequencies counted by exact waves: closed forms of shafts and beams,
-//! elements beside them, and the modes of damped strings.
+//! elements, and the modes of damped strings.
 
 use std::f64::consts::PI;
 
@@ -165,8 +165,8 @@ fn val_uniform_beams_have_the_roots_of_cosh_cos() {
             );
             for (index, found) in modes.lowest(50).unwrap().into_iter().enumerate() {
                 let expected = unit * beam_root(support, index).powi(2);
-                let told = format!("{length} {pipes} {support:?} {index}: {found} {expected}");
-                assert!(is_close(found, expected, 1e-8), "{told}");
+                let context = format!("{length} {pipes} {support:?} {index}: {found} {expected}");
+                assert!(is_close(found, expected, 1e-8), "{context}");
             }
         }
     }
@@ -248,8 +248,8 @@ fn val_a_beam_held_at_both_ends_swings_in_half_sines() {
             let wave = (index + 1) as f64 * PI / length;
             let square = (wave.powi(4) * rigidity + wave.powi(2) * tension) / mass;
             let expected = square.sqrt();
-            let told = format!("{length} {index}: {omega} {expected}");
-            assert!(is_close(omega, expected, 1e-8), "{told}");
+            let context = format!("{length} {index}: {omega} {expected}");
+            assert!(is_close(omega, expected, 1e-8), "{context}");
         }
     }
 }
@@ -324,7 +324,7 @@ fn val_shapes_of_a_held_string_rest_where_it_is_held_and_have_their_frequency() 
 }
 
 /// A heavy piece between two shafts, the upper twice as long: all odd modes of the upper have one
-/// of the lower beside them, nearer the heavier the piece.
+/// of the lower next to them, nearer the heavier the piece.
 #[test]
 fn val_pairs_are_found_however_close_they_are() {
     for (radius, nearer) in [(2.0, 1e-2), (8.0, 1e-4), (60.0, 1e-7), (400.0, SAME)] {
@@ -399,7 +399,7 @@ fn val_uniform_strings_have_the_shapes_of_closed_forms() {
     }
 }
 
-/// Pipe with joints, or without where their length is none, above collars.
+/// Pipe with joints, or without where their length is zero, above collars.
 fn jointed(pipes: usize, collars: usize, radius: f64) -> Drillstring {
     let tube = |length, outer_radius| Tube {
         length,
@@ -598,8 +598,8 @@ proptest! {
         }
     }
 
-    /// Elements take a little more to bend than the string, however it hangs; motions that
-    /// nothing brings back are as many.
+    /// Elements take a little more to bend than the string, however it hangs; modes
+    /// without a restoring force are as many.
     #[test]
     fn val_bending_is_that_of_elements(
         string in strings(),
@@ -660,10 +660,10 @@ proptest! {
         let unrestored = count(1e-9);
         for (index, omega) in found.into_iter().enumerate() {
             let too_fast = omega * omega * slackest * 0.2f64.powi(4) / 1440.0;
-            let told = format!("{index}: {omega} of {places:?}");
-            prop_assert_eq!(count(omega * (1.0 - 1e-7)), unrestored + index, "{}", told);
+            let context = format!("{index}: {omega} of {places:?}");
+            prop_assert_eq!(count(omega * (1.0 - 1e-7)), unrestored + index, "{}", context);
             let above = omega * (1.0 + too_fast + 1e-7);
-            prop_assert_eq!(count(above), unrestored + index + 1, "{}", told);
+            prop_assert_eq!(count(above), unrestored + index + 1, "{}", context);
         }
     }
 

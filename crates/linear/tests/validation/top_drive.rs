@@ -294,7 +294,7 @@ fn val_a_motor_and_a_wave_stepped_in_time_say_the_same() {
     }
 }
 
-/// In the end the surface is turned against the damping of the whole string, whatever turns it.
+/// In the end the surface is turned against the damping of the whole string, under any drive.
 #[test]
 fn val_the_torque_at_the_surface_is_in_the_end_what_damping_takes() {
     let string = academic::string();

@@ -1,8 +1,8 @@
-//! Sheets of maps: symbols or cells over two parameters, with lines and marks, in groups that
+//! Charts of maps: symbols or cells over two parameters, with lines and marks, in groups that
 //! share a legend.
 
+mod chart;
 mod panel;
-mod sheet;
 #[cfg(test)]
 mod tests;
 mod view;
@@ -13,7 +13,7 @@ use super::line_styles::{LineStyle, Series};
 use super::scale::Axis;
 use super::symbols::Symbol;
 
-pub use sheet::map_sheet;
+pub use chart::map_chart;
 pub use view::{MapAxis, map_axes};
 
 /// A symbol at a place of a map.
@@ -53,7 +53,7 @@ pub struct Mark {
 /// One map.
 #[derive(Default)]
 pub struct MapPanel {
-    /// Title above it; empty where the sheet's says all.
+    /// Title above it; empty where the chart's says all.
     pub title: String,
     /// Filled cells.
     pub cells: Vec<MapCell>,
@@ -87,7 +87,7 @@ pub struct MapGroup {
 }
 
 /// Maps over the same two parameters.
-pub struct MapSheet {
+pub struct MapChart {
     /// Title above all.
     pub title: String,
     /// Horizontal and vertical axis of every map.

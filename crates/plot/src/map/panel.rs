@@ -1,6 +1,6 @@
-//! One map of a sheet.
+//! One map of a chart.
 
-use super::{MapCell, MapGroup, MapPanel, MapSheet, Mark};
+use super::{MapCell, MapChart, MapGroup, MapPanel, Mark};
 use crate::canvas::Canvas;
 use crate::colours::{BLACK, WHITE};
 use crate::fills::{CellFill, draw_fill};
@@ -27,11 +27,11 @@ pub(super) fn line_stroke(index: usize, style: LineStyle) -> Stroke {
     }
 }
 
-/// The scales that show all points, cells and marks of a sheet, or its lines where
+/// The scales that show all points, cells and marks of a chart, or its lines where
 /// there are no points, unless their ranges are given; the same for all maps, which are there to
 /// be compared.
-pub(super) fn scales(sheet: &MapSheet, ranges: [Option<[f64; 2]>; 2]) -> [Scale; 2] {
-    let panels = || sheet.groups.iter().flat_map(|group| &group.panels);
+pub(super) fn scales(chart: &MapChart, ranges: [Option<[f64; 2]>; 2]) -> [Scale; 2] {
+    let panels = || chart.groups.iter().flat_map(|group| &group.panels);
     let points = panels().flat_map(|panel| &panel.points);
     let mut places: Vec<_> = points.map(|point| point.at).collect();
     let corners = |cell: &MapCell| [0, 1].map(|end| (cell.ends[0][end], cell.ends[1][end]));
@@ -40,16 +40,16 @@ pub(super) fn scales(sheet: &MapSheet, ranges: [Option<[f64; 2]>; 2]) -> [Scale;
         let lines = panels().flat_map(|panel| &panel.lines);
         places.extend(lines.flat_map(|line| &line.points));
     }
-    places.extend(sheet.marks.iter().map(|mark| mark.at));
-    let (x, y): (Vec<_>, Vec<_>) = visible(&sheet.axes, places.into_iter()).unzip();
-    let [x_axis, y_axis] = &sheet.axes;
+    places.extend(chart.marks.iter().map(|mark| mark.at));
+    let (x, y): (Vec<_>, Vec<_>) = visible(&chart.axes, places.into_iter()).unzip();
+    let [x_axis, y_axis] = &chart.axes;
     [
         Scale::with_ends(ranges[0], x_axis.logarithmic, x.into_iter()),
         Scale::with_ends(ranges[1], y_axis.logarithmic, y.into_iter()),
     ]
 }
 
-/// Draws a map of a group, with the marks of the sheet, into its frame.
+/// Draws a map of a group, with the marks of the chart, into its frame.
 pub(super) fn draw_panel(
     canvas: &mut Canvas,
     frame: &Frame,
@@ -140,11 +140,11 @@ fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &[Mark], panel: &MapPan
     }
     for (mark, (x, y)) in places {
         let name = names.block(&mark.name);
-        let beside = MARK_RADIUS + HALO + 2.0 + name.width / 2.0;
+        let sideways = MARK_RADIUS + HALO + 2.0 + name.width / 2.0;
         let above = MARK_RADIUS + HALO + name.height() / 2.0;
         let centres = [
-            (x + beside, y),
-            (x - beside, y),
+            (x + sideways, y),
+            (x - sideways, y),
             (x, y - above),
             (x, y + above),
         ];

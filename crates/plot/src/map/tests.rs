@@ -19,12 +19,12 @@ fn group(panels: Vec<MapPanel>) -> MapGroup {
     }
 }
 
-fn sheet(groups: Vec<MapGroup>, logarithmic: bool) -> MapSheet {
+fn chart(groups: Vec<MapGroup>, logarithmic: bool) -> MapChart {
     let axis = |label: &str| Axis {
         label: label.to_string(),
         logarithmic,
     };
-    MapSheet {
+    MapChart {
         title: "Stick-slip regimes".to_string(),
         axes: ["Weight on bit W (kN)", "Surface speed Ωₛ (rpm)"].map(axis),
         marks: Vec::new(),
@@ -44,21 +44,21 @@ fn panel(places: &[(f64, f64)]) -> MapPanel {
     }
 }
 
-fn map(places: &[(f64, f64)], logarithmic: bool) -> MapSheet {
-    sheet(vec![group(vec![panel(places)])], logarithmic)
+fn map(places: &[(f64, f64)], logarithmic: bool) -> MapChart {
+    chart(vec![group(vec![panel(places)])], logarithmic)
 }
 
-fn only_panel(sheet: &mut MapSheet) -> &mut MapPanel {
-    &mut sheet.groups[0].panels[0]
+fn only_panel(chart: &mut MapChart) -> &mut MapPanel {
+    &mut chart.groups[0].panels[0]
 }
 
-fn scale(sheet: &MapSheet) -> Scale {
-    panel::scales(sheet, [None; 2])[0]
+fn scale(chart: &MapChart) -> Scale {
+    panel::scales(chart, [None; 2])[0]
 }
 
 /// Circles in the map without the one in the legend.
-fn circles(map: &MapSheet) -> usize {
-    let picture = map_sheet(&Look::default(), map);
+fn circles(map: &MapChart) -> usize {
+    let picture = map_chart(&Look::default(), map);
     picture.svg().matches("<circle").count() - 1
 }
 
@@ -84,7 +84,7 @@ fn maps_without_range_are_drawn() {
         &[(f64::INFINITY, 1.0)],
     ] {
         for logarithmic in [false, true] {
-            let picture = map_sheet(&Look::default(), &map(places, logarithmic));
+            let picture = map_chart(&Look::default(), &map(places, logarithmic));
             assert_text_inside(&picture);
         }
     }
@@ -113,14 +113,14 @@ fn cells_fill_the_map_and_its_legend() {
             fill: CellFill::Symbol(symbol),
         })
         .collect();
-    let picture = map_sheet(&Look::default(), &map);
+    let picture = map_chart(&Look::default(), &map);
     // Both cells, and a key for each of the three symbols.
     assert_eq!(picture.svg().matches("<polygon").count(), 5);
     assert_text_inside(&picture);
 }
 
-/// A sheet with a text of every kind as long as it may be.
-fn crowded(panels: usize, groups: usize) -> MapSheet {
+/// A chart with a text of every kind as long as it may be.
+fn crowded(panels: usize, groups: usize) -> MapChart {
     let long = "a rather long text that would not fit on a single line ".repeat(4);
     let panel = || {
         let mut panel = panel(&[(1e-7, 1e7), (5e-7, 1e9)]);
@@ -146,30 +146,30 @@ fn crowded(panels: usize, groups: usize) -> MapSheet {
         notes: vec![long.clone(); 2],
         ..group((0..panels).map(|_| panel()).collect())
     };
-    let mut sheet = sheet((0..groups).map(|_| group()).collect(), true);
-    sheet.title.clone_from(&long);
-    for axis in &mut sheet.axes {
+    let mut chart = chart((0..groups).map(|_| group()).collect(), true);
+    chart.title.clone_from(&long);
+    for axis in &mut chart.axes {
         axis.label.clone_from(&long);
     }
-    sheet.marks.push(Mark {
+    chart.marks.push(Mark {
         name: long,
         at: (5e-7, 1e9),
     });
-    sheet
+    chart
 }
 
 #[test]
 fn long_texts_and_many_lines_stay_inside_however_many_maps_there_are() {
     for (panels, groups) in [(1, 1), (1, 2), (4, 1), (6, 2)] {
-        assert_text_inside(&map_sheet(&Look::default(), &crowded(panels, groups)));
+        assert_text_inside(&map_chart(&Look::default(), &crowded(panels, groups)));
     }
 }
 
 #[test]
-fn maps_of_a_sheet_share_their_axes() {
+fn maps_of_a_chart_share_their_axes() {
     let wide = [(0.0, 0.0), (10.0, 10.0)];
     let narrow = [(4.0, 4.0), (6.0, 6.0)];
-    let both = sheet(vec![group(vec![panel(&wide), panel(&narrow)])], false);
+    let both = chart(vec![group(vec![panel(&wide), panel(&narrow)])], false);
     let alone = map(&wide, false);
     assert_eq!(scale(&both).fraction(5.0), scale(&alone).fraction(5.0));
     // All points, and one key.
@@ -188,7 +188,7 @@ fn lines_of_a_name_look_alike_in_every_map_and_have_one_key() {
         ..panel(&[(0.0, 0.0), (1.0, 1.0)])
     };
     let panels = vec![with(&["one", "other"]), with(&["other"])];
-    let picture = map_sheet(&Look::default(), &sheet(vec![group(panels)], false));
+    let picture = map_chart(&Look::default(), &chart(vec![group(panels)], false));
     assert_eq!(picture.svg().matches(">other<").count(), 1);
     // The dashed line in both maps and its key.
     assert_eq!(picture.svg().matches("dasharray").count(), 3);
@@ -202,8 +202,8 @@ fn a_range_is_cut_off_at_the_edge_of_the_map() {
         ends: [[0.0, 1.0], y],
     };
     only_panel(&mut map).bands.push(hatched([0.2, 0.4]));
-    let strokes = |map: &MapSheet| {
-        let picture = map_sheet(&Look::default(), map);
+    let strokes = |map: &MapChart| {
+        let picture = map_chart(&Look::default(), map);
         picture.svg().matches("<polyline").count()
     };
     let inside = strokes(&map);

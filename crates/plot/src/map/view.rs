@@ -1,10 +1,10 @@
-//! The axes of a sheet in numbers, for a page that draws its maps itself.
+//! The axes of a chart in numbers, for a page that draws its maps itself.
 
-use super::MapSheet;
+use super::MapChart;
 use super::panel::scales;
 use crate::scale::Scale;
 
-/// An axis of all maps of a sheet.
+/// An axis of all maps of a chart.
 pub struct MapAxis {
     /// Its title, with the unit.
     pub title: String,
@@ -30,13 +30,13 @@ impl MapAxis {
     }
 }
 
-/// The axes of a sheet, as its picture has them, each with about `most` numbers.
-pub fn map_axes(sheet: &MapSheet, most: usize) -> [MapAxis; 2] {
-    let scales = scales(sheet, [None; 2]);
+/// The axes of a chart, as its picture has them, each with about `most` numbers.
+pub fn map_axes(chart: &MapChart, most: usize) -> [MapAxis; 2] {
+    let scales = scales(chart, [None; 2]);
     [0, 1].map(|axis| {
         let ticks = scales[axis].ticks(most).into_iter();
         MapAxis {
-            title: sheet.axes[axis].label.clone(),
+            title: chart.axes[axis].label.clone(),
             scale: scales[axis],
             ticks: ticks
                 .filter_map(|tick| Some((tick.fraction, tick.label?)))

@@ -28,9 +28,11 @@ from ._parts import (
     Tube,
     Wall,
 )
+from ._results import Analysis, Window, analyse
 from ._sweep import Sweep, Table
 
 __all__ = [
+    "Analysis",
     "Approach",
     "Bending",
     "BitTorque",
@@ -53,4 +55,6 @@ __all__ = [
     "TopDrive",
     "Tube",
     "Wall",
+    "Window",
+    "analyse",
 ]

@@ -29,6 +29,7 @@ __all__ = [
     "Simulation",
     "Sweep",
     "SweepFileError",
+    "_analyse",
 ]
 
 class DrillstringError(Exception): ...
@@ -41,6 +42,9 @@ class SweepFileError(DrillstringError):
 
 class DrillstringWarning(UserWarning): ...
 
+def _analyse(
+    folders: Sequence[str | PathLike[str]], by: Sequence[Sequence[str]], bins: int
+) -> tuple[dict[str, NDArray[Any]], dict[str, NDArray[Any]]]: ...
 @final
 class Approach:
     @property
@@ -263,6 +267,18 @@ class Sweep:
         memory: str | None = None,
     ) -> Simulation: ...
     def _limits(self, *, memory: str | None = None) -> dict[str, NDArray[Any]]: ...
+    def _whirl_limits(self, least: float, most: float) -> dict[str, NDArray[Any]]: ...
+    def _window(
+        self,
+        folders: Sequence[str | PathLike[str]] | None,
+        *,
+        orders: Sequence[float],
+        held_at: Sequence[float] | None,
+        margin: float,
+        risk: float,
+        bins: int,
+        clearance: float,
+    ) -> tuple[dict[str, NDArray[Any]], dict[str, Any] | None]: ...
     def _run(
         self,
         *,

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ._drillstring import Drillstring, Responses, Simulation
 from ._drillstring import Sweep as _Sweep
+from ._results import Folders, Window, paths
 
 __all__ = ["Sweep", "Table"]
 
@@ -50,7 +51,7 @@ class Sweep:
 
     @classmethod
     def read(cls, path: str | PathLike[str], *, methods: Sequence[str] | None = None) -> Sweep:
-        """Read a sweep file, with these methods in place of its own."""
+        """Read a sweep file, with these methods instead of the file's."""
         return cls._of(_Sweep.read(path, methods=methods))
 
     @classmethod
@@ -171,6 +172,43 @@ class Sweep:
         """
         return self._sweep._limits(memory=memory)
 
+    def whirl_limits(self, least_rpm: float, most_rpm: float) -> dict[str, NDArray[Any]]:
+        """The friction that sustains whirl between two surface speeds, by the same columns, of the
+        string and walls as the file has them, for any design. No rows without a wall.
+        """
+        return self._sweep._whirl_limits(least_rpm, most_rpm)
+
+    def window(
+        self,
+        folders: Folders | None = None,
+        *,
+        orders: Sequence[float] = (1.0,),
+        held_at: Sequence[float] | None = None,
+        margin: float = 0.1,
+        risk: float = 0.1,
+        bins: int = 10,
+        clearance: float = 0.05,
+    ) -> Window:
+        """Where, over weight on bit and surface speed, no limit is near, as ``sweep window`` finds
+        it from results folders of this string; where none is named, from ``results/NAME``.
+
+        ``orders`` are multiples of the surface speed that shake the string sideways, ``held_at``
+        the places that hold it (from the bit, in m or the file's units), ``margin`` the part by
+        which critical speeds and friction may be off, ``risk`` the part of random cases with
+        vibration up to which a cell is safe, ``bins`` the ranges that they are counted in, and
+        ``clearance`` the part of either axis that the best point keeps from every limit.
+        """
+        cells, best = self._sweep._window(
+            None if folders is None else paths(folders),
+            orders=list(orders),
+            held_at=None if held_at is None else list(held_at),
+            margin=margin,
+            risk=risk,
+            bins=bins,
+            clearance=clearance,
+        )
+        return Window(cells, best)
+
     def run(
         self,
         *,
@@ -183,7 +221,7 @@ class Sweep:
         """Run every case by every method, as ``sweep run`` does.
 
         ``threads`` are as many as Slurm allots, or as there are cores, where none are given.
-        ``progress`` is told, ten times a second, how many simulations are done, and of how many.
+        ``progress`` is called ten times a second with the number of simulations done and their total.
         Ctrl-C and what it raises end the run.
         """
         return Table(

@@ -30,8 +30,8 @@ struct Seen {
 }
 
 impl Bins {
-    /// Ranges along each of some axes, of cases of any tables: so many of even width in the value or,
-    /// where the design spreads that so, in its logarithm; of few values, each of them.
+    /// Ranges along each of some axes, of cases of any tables: a given number of equal width in the
+    /// value or, where the design spreads it so, in its logarithm; of few values, each of them.
     ///
     /// # Errors
     /// Where the tables cannot be read.

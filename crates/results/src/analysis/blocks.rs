@@ -68,7 +68,7 @@ pub struct MethodBlocks {
     pub quantities: Vec<(Quantity, Blocks)>,
 }
 
-/// The blocks of any tables over so many axes, of each method. Shards of one sweep may share a
+/// The blocks of any tables over a number of axes, of each method. Shards of one sweep may share a
 /// block.
 ///
 /// # Errors
@@ -85,12 +85,12 @@ pub fn blocks_of(
     let mut cases = in_order(tables)?.peekable();
     while let Some(first) = cases.next().transpose()? {
         let number = first.case / size;
-        let is_beside = |case: &Result<CaseRows>| {
+        let is_in_block = |case: &Result<CaseRows>| {
             case.as_ref()
                 .map_or(true, |case| case.case / size == number)
         };
         let mut block = vec![first];
-        while let Some(case) = cases.next_if(is_beside) {
+        while let Some(case) = cases.next_if(is_in_block) {
             block.push(case?);
         }
         let is_whole = block.len() == size;
@@ -135,8 +135,8 @@ impl MethodBlocks {
         }
     }
 
-    /// The quantities without those that tell what another one does: of a motion with two regimes
-    /// the first is whatever is not the second.
+    /// The quantities without redundant ones: of a motion with two regimes, the first is the
+    /// complement of the second.
     pub fn different(&self) -> impl Iterator<Item = &(Quantity, Blocks)> {
         self.quantities.iter().filter(|(quantity, _)| {
             let Quantity::Regime(label) = quantity else {

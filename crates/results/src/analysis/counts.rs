@@ -49,8 +49,8 @@ impl Group {
             let Some(is_sustained) = label.is_sustained() else {
                 continue;
             };
-            for ([sustained, told], count) in cells.iter_mut().zip(counts) {
-                *told += count;
+            for ([sustained, classified], count) in cells.iter_mut().zip(counts) {
+                *classified += count;
                 *sustained += if is_sustained { *count } else { 0 };
             }
         }

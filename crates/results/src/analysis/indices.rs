@@ -54,8 +54,8 @@ pub struct Indices {
     pub total: Interval,
 }
 
-/// Sums over blocks, of values less the first of all, so that numbers that differ little are
-/// told apart.
+/// Sums over blocks, of values less the first of all, so that small differences between large
+/// numbers are not lost.
 #[derive(Debug, Clone, PartialEq)]
 struct Sums {
     blocks: f64,
@@ -65,7 +65,7 @@ struct Sums {
     of_axes: Vec<OfAxis>,
 }
 
-/// Sums that an axis has of its own; d is what its value of B changes at A.
+/// The sums of one axis; d is the change at A by its value of B.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct OfAxis {
     /// Of b d.
@@ -99,7 +99,7 @@ impl Sums {
         }
     }
 
-    /// Adds other sums so many times.
+    /// Adds other sums, multiplied.
     fn add(&mut self, other: &Self, times: f64) {
         self.blocks += times * other.blocks;
         self.both += times * other.both;
@@ -134,7 +134,7 @@ impl Sums {
 pub struct Blocks {
     axes: usize,
     origin: Option<f64>,
-    /// Sums of neighbouring blocks, so many of them by their numbers.
+    /// Sums of neighbouring blocks, by their numbers.
     batches: Vec<Sums>,
     blocks_of_batch: usize,
     /// In how many blocks each axis changes the value.
@@ -144,7 +144,7 @@ pub struct Blocks {
 }
 
 impl Blocks {
-    /// None yet, of cases over so many axes.
+    /// No blocks yet, of cases over a number of axes.
     pub fn none(axes: usize) -> Self {
         Self {
             axes,
@@ -303,8 +303,8 @@ mod tests {
         }
     }
 
-    /// The g-function of Sobol with the constants of Saltelli et al.: a product, of whose
-    /// factors each has a variance of its own.
+    /// The g-function of Sobol with the constants of Saltelli et al.: a product of factors with
+    /// different variances.
     fn product() -> Known {
         const A: [f64; 6] = [0.0, 0.5, 3.0, 9.0, 99.0, 99.0];
         let alone = A.map(|a| 1.0 / (3.0 * (1.0 + a).powi(2)));
@@ -437,7 +437,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_told_is_not() {
+    fn indices_that_cannot_be_estimated_are_unavailable() {
         let mut blocks = Blocks::none(1);
         let mut add = |number: usize, a: f64, b: f64| {
             let mixed = [b];

@@ -14,9 +14,9 @@ pub struct Interval {
     pub high: f64,
 }
 
-/// The fraction of so many of all, with the interval of E. B. Wilson (*Journal of the American
-/// Statistical Association* 22, 1927, 209–212), which holds near 0 and 1 and for few, too; of none
-/// there is no fraction.
+/// The fraction of a count of all, with the interval of E. B. Wilson (*Journal of the American
+/// Statistical Association* 22, 1927, 209–212), which holds near 0 and 1 and for few, too; without
+/// cases there is no fraction.
 pub fn wilson(count: usize, of: usize) -> Option<Interval> {
     if of == 0 {
         return None;
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn so_many_cases_are_enough_and_one_less_is_not() {
+    fn this_number_of_cases_is_enough_and_one_less_is_not() {
         for (fraction, width) in [(0.5, 0.02), (0.01, 0.01), (0.0, 0.001), (0.37, 0.5)] {
             let of = cases_for(fraction, width);
             let wide = |of: usize| {

@@ -8,6 +8,7 @@ mod counts;
 mod indices;
 mod interval;
 mod of_tables;
+mod rows;
 mod sensitivity;
 
 pub use bins::Bins;
@@ -17,5 +18,6 @@ pub use counts::Counts;
 pub use counts::Group;
 pub use indices::{DRAWN, IndexUnavailable, Indices, LEAST_BLOCKS};
 pub use interval::{Interval, cases_for, wilson};
-pub use of_tables::{blocks, count_cases, size_of_blocks};
+pub use of_tables::{Analysis, NoAnalysis, blocks, count_cases, size_of_blocks};
+pub use rows::{COUNT_COLUMNS, CountRow, INDEX_COLUMNS, IndexRow, count_rows, index_rows};
 pub use sensitivity::sensitivity;

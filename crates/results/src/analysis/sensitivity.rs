@@ -1,6 +1,6 @@
 //! Which axis decides: first-order indices of I. M. Sobol from cases as they were drawn, without a
-//! design of their own (given data; E. Plischke, E. Borgonovo and C. L. Smith, *European Journal
-//! of Operational Research* 226, 2013, 536–550).
+//! special design (given data; E. Plischke, E. Borgonovo and C. L. Smith, *European Journal of
+//! Operational Research* 226, 2013, 536–550).
 
 use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, Normal};
 
@@ -43,8 +43,8 @@ pub fn sensitivity(cells: &[[usize; 2]]) -> Option<Interval> {
     Some(Interval { value, low, high })
 }
 
-/// How many of so many have the regime when each has it about as often as was found: none of few
-/// may well have been one (H. Jeffreys' mean).
+/// A random number of cases with the regime, out of `of`, when each has it about as often as was
+/// found: zero of a few may well have been one (H. Jeffreys' mean).
 fn redrawn(stream: &mut Stream, count: usize, of: usize) -> usize {
     let fraction = (count as f64 + 0.5) / (of as f64 + 1.0);
     let (mean, variance) = (
@@ -59,7 +59,7 @@ fn redrawn(stream: &mut Stream, count: usize, of: usize) -> usize {
         let binomial = Binomial::new(fraction, of as u64).ok();
         binomial.map(|binomial| quantile(&binomial, part) as f64)
     };
-    // The fraction is between 0 and 1, so that there is such a distribution.
+    // The fraction is between 0 and 1, so the distribution exists.
     drawn.map_or(count, |drawn| drawn.clamp(0.0, of as f64) as usize)
 }
 
@@ -106,7 +106,7 @@ mod tests {
 
     const CELLS: usize = 20;
 
-    /// Cells of each of three axes, even between 0 and 1, of so many cases with a regime or not.
+    /// Cells of each of three axes, even between 0 and 1, of cases with a regime or not.
     fn cells(seed: u64, cases: u64, regime: impl Fn([f64; 3]) -> bool) -> [Vec<[usize; 2]>; 3] {
         let mut all = [0; 3].map(|_: i32| vec![[0; 2]; CELLS]);
         for case in 0..cases {

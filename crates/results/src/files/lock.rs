@@ -52,7 +52,7 @@ impl FolderLock {
                 Err(TryLockError::WouldBlock) => return Err(LockError::Taken),
                 Err(TryLockError::Error(error)) => Some(error),
             };
-            // Whoever had it may have removed it after it was opened here.
+            // Its last holder may have removed it after it was opened here.
             if is_at(&file, &path)? {
                 return Ok(Self {
                     path,

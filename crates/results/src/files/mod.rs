@@ -25,7 +25,7 @@ use tempfile::NamedTempFile;
 /// that write the same file do not mix. A link is followed; a device or a pipe is written to as it
 /// is.
 pub struct AtomicFile {
-    /// As it is told.
+    /// As the user named it.
     path: PathBuf,
     writer: Writer,
     sum: Summing,
@@ -181,7 +181,7 @@ pub fn write_with_checksum(path: &Path, content: &[u8]) -> Result<Checksum> {
     file.finish()
 }
 
-/// Opens what is to be a file, if it is there. A folder that is none is found when it is
+/// Opens what is to be a file, if it exists. A path that is no folder is found when the folder is
 /// to be made.
 ///
 /// # Errors

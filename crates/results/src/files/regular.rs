@@ -21,8 +21,7 @@ pub fn refuse_irregular(path: &Path) -> io::Result<()> {
     Err(io::Error::other(format!("it is {what}, not a file")))
 }
 
-/// Whether an error says that nothing has this name, be it that what should be
-/// its folder is none.
+/// Whether an error says that no file has this name, also because its folder is no folder.
 pub fn is_absent(error: &io::Error) -> bool {
     use io::ErrorKind::{NotADirectory, NotFound};
     matches!(error.kind(), NotFound | NotADirectory)

@@ -17,7 +17,7 @@ const PREFIX: &str = ".tmp-sweep-";
 pub(super) fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     loop {
         let file = readable(Builder::new().prefix(PREFIX)).tempfile_in(folder)?;
-        // Without locks here, nobody removes it either.
+        // Where locks are not supported, no other run removes it either.
         let _ = file.as_file().lock();
         // Between these two, it may have looked as if it had no writer.
         if file.path().exists() {
@@ -66,7 +66,7 @@ fn temporaries(folder: &Path) -> io::Result<Vec<PathBuf>> {
 /// Where the folder cannot be read.
 pub fn remove_left(folder: &Path) -> io::Result<()> {
     for path in temporaries(folder)? {
-        // What is someone else's stays, and harms nobody.
+        // Files of other users stay, and do no harm.
         let Ok(file) = File::options().write(true).open(&path) else {
             continue;
         };

@@ -18,7 +18,7 @@ use campaign::plan::Sweep;
 pub struct About {
     /// What `manifest.json` will say, without results and times.
     pub manifest: Manifest,
-    /// Whether `labels.csv` has a column of T_d beside the axes.
+    /// Whether `labels.csv` has a column of T_d next to the axes.
     pub shows_torque: bool,
     /// Whether it has columns of what turns the surface.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -45,7 +45,7 @@ pub struct About {
 }
 
 impl About {
-    /// Of a run that begins or goes on.
+    /// Of a run that begins or continues.
     ///
     /// # Errors
     /// None that a sweep that was read could cause.

@@ -20,7 +20,7 @@ pub fn failures_row(case: usize, method: &str, reason: &str, repeat_with: &str) 
     Ok(writer.into_inner()?)
 }
 
-/// The command that comes to the same row as the run, as a POSIX shell takes it.
+/// The command that reproduces the row of the run, quoted for a POSIX shell.
 pub fn repeat_command(about: &About, case: usize, method: &str) -> String {
     let Manifest {
         accuracy, options, ..

@@ -31,7 +31,7 @@ pub struct LabelRow {
     pub misfits: Vec<Option<f64>>,
     /// Each of the measures asked for, where it has it.
     pub measures: Vec<Option<f64>>,
-    /// Which of the labels are certain, where that is told.
+    /// Which of the labels are certain, where the table has it.
     pub certainty: Certainty,
     /// How many sites were found and in how many rounds, where they were looked for.
     pub found: Option<[usize; 2]>,
@@ -75,7 +75,7 @@ pub fn misfit_columns(path: &Path) -> Result<Vec<String>> {
 
 /// Where the columns are that are read back: `case`, `method`, the axes and measures asked
 /// for, `torsion` and, if they are there, `lateral`, `predicted`, misfits, certainties,
-/// found sites and `status`; others are passed over.
+/// found sites and `status`; others are ignored.
 pub struct LabelColumns {
     case: usize,
     method: usize,
@@ -112,7 +112,7 @@ pub enum LabelError {
     /// What was predicted is no label.
     #[error("`{0}` is no regime")]
     Predicted(String),
-    /// A label is none of those of its column.
+    /// A label is not among those of its column.
     #[error("{column}: `{word}` is no {column} regime; {hint}")]
     Regime {
         /// The column.

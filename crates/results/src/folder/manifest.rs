@@ -29,7 +29,7 @@ pub struct Manifest {
     pub name: String,
     /// One line about it.
     pub title: String,
-    /// The sweep file, as the command names it; not told by version 0.1.0.
+    /// The sweep file, as the command names it; not written by version 0.1.0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sweep_file: Option<PathBuf>,
     /// The program, with its version and commit.
@@ -83,7 +83,7 @@ pub struct Manifest {
     /// What came out.
     #[serde(flatten)]
     pub tally: Tally,
-    /// The tables and pictures beside it; none in a folder of version 0.1.0.
+    /// The tables and pictures next to it; empty in a folder of version 0.1.0.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub files: BTreeMap<String, Checksum>,
     /// How its limits were traced, where the design is a trace.
@@ -151,7 +151,7 @@ impl Manifest {
         Ok(Self {
             name: sweep.name.clone(),
             title: sweep.title.clone(),
-            // As it is told, whatever the letters of its path are in.
+            // As the user named it, in any encoding of its path.
             sweep_file: Some(sweep.source.file().to_string_lossy().into_owned().into()),
             program: header.program.clone(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),

@@ -38,7 +38,7 @@ pub struct Tally {
 pub struct FoundSites {
     /// Cases in which they were looked for.
     pub cases: usize,
-    /// Those of them in which there were any besides those of the file.
+    /// Those of them in which sites other than those of the file were found.
     pub cases_with_sites: usize,
     /// The most of a case, those of the file not counted.
     pub most_sites: usize,
@@ -91,7 +91,10 @@ impl Tally {
         self.found_sites.iter().map(|(method, found)| {
             let cases = counted(found.cases, "case");
             match found.cases_with_sites {
-                0 => format!("{method}: no sites were found besides those of the file, in {cases}"),
+                0 => format!(
+                    "{method}: no sites were found other than those of the file, in \
+                              {cases}"
+                ),
                 with => format!(
                     "{method}: sites were found in {with} of {cases}, up to {} in up to {}",
                     counted(found.most_sites, "site"),
@@ -112,7 +115,7 @@ impl Tally {
         }
     }
 
-    /// Cases whose label of a motion is certain, whatever it is: the rows of a method that
+    /// Cases whose label of a motion is certain, with any label: the rows of a method that
     /// certifies them, of which no method has more.
     pub fn certified(&self, motion: Motion) -> usize {
         let of_method = |labels: &BTreeMap<Label, usize>| {

@@ -26,6 +26,6 @@ pub struct LimitSummary {
     pub lines: usize,
     /// Tiles in `bands.csv`.
     pub tiles: usize,
-    /// How large a part of the area of the design they cover.
+    /// The fraction of the area of the design that they cover.
     pub ragged_part: f64,
 }

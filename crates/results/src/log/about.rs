@@ -1,5 +1,5 @@
-//! The line of a log that says what a run that is not finished is shown by, in words
-//! that mean nothing here. No run goes on from it; the last one counts.
+//! The line of a log with the description of an unfinished run for display, not interpreted here.
+//! No run continues from it; the last one counts.
 
 use std::path::Path;
 
@@ -21,8 +21,8 @@ pub(super) fn parse_about(line: &[u8]) -> Option<String> {
     Some(about.to_owned())
 }
 
-/// Reads what the run of a log is shown by; nothing where there is no log, or the run
-/// has not come to say it.
+/// Reads the description of the run of a log; `None` where there is no log, or the run has not
+/// written it yet.
 ///
 /// # Errors
 /// Where the log cannot be read.

@@ -19,7 +19,7 @@ const LINES_AT_ONCE: usize = 1 << 12;
 
 /// How much a log holds.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Counts {
+pub struct LogCounts {
     /// Pairs of case and method that are done.
     pub done: usize,
     /// How many of them have no answer.
@@ -33,7 +33,7 @@ pub struct Counts {
 #[derive(Debug)]
 pub struct LogView {
     /// How much it holds.
-    pub counts: Counts,
+    pub counts: LogCounts,
     pub(super) path: PathBuf,
     pub(super) file: File,
     /// End of the last whole line, bytes.
@@ -49,7 +49,7 @@ pub struct LogView {
 }
 
 impl LogView {
-    /// Looks at the log of a sweep of so many cases and methods.
+    /// Reads the log of a sweep with these numbers of cases and methods.
     ///
     /// # Errors
     /// Where it is no log or cannot be read.
@@ -68,7 +68,7 @@ impl LogView {
         let unreadable = |error| file_error(path, "read", error);
         let reader = file.try_clone().map_err(unreadable)?;
         let mut content = Self {
-            counts: Counts::default(),
+            counts: LogCounts::default(),
             path: path.to_owned(),
             file,
             end: 0,

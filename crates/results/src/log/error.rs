@@ -20,7 +20,7 @@ pub enum LogError {
     /// It is written in another way.
     #[error(
         "{path} is a log of format {format}, by another version of this program, and this one \
-         reads format {FORMAT}: go on with that version, choose another --out, or begin anew with \
+         reads format {FORMAT}: continue with that version, choose another --out, or begin anew with \
          --fresh"
     )]
     OtherFormat {

@@ -13,7 +13,7 @@ use campaign::engine::Shard;
 /// First word of a header.
 const HEADER: &str = "sweep-log";
 
-/// What a log belongs to. Runs with another header do not go on from it.
+/// What a log belongs to. Runs with another header do not continue from it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Header {
     /// Version of the format.

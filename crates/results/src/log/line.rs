@@ -5,7 +5,7 @@ use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 
 use campaign::records::Record;
 
-/// A line longer than this is none of ours, bytes.
+/// A longer line was not written by this program, bytes.
 pub(super) const LONGEST_LINE: u64 = 1 << 26;
 
 /// The line of a text, such as the JSON of a record: with its checksum.

@@ -1,13 +1,13 @@
-//! The log of a run: what is done, appended case by case, so that a run goes on
-//! from where it was stopped, however it was.
+//! The log of a run: what is done, appended case by case, so that a run continues from where it was
+//! stopped, in any way.
 //!
 //! Each line is `checksum TAB …`, the checksum (CRC-32, eight hexadecimal digits)
 //! being that of all that follows the first tab. The first line is the header; each
 //! other is the JSON of a record, a case done by one method; or says after
 //! `sweep-run TAB` what an unfinished run is shown by. A line that was not written
 //! whole, or not as it was meant, does not match its checksum and counts as not
-//! there. The file itself appears with its whole header: one without is none of this
-//! program's, and is left alone.
+//! there. The file itself appears with its whole header: a file without one is foreign, and is left
+//! alone.
 
 mod about;
 mod content;
@@ -30,7 +30,7 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use about::about_line;
-use content::Counts;
+use content::LogCounts;
 use error::file_error;
 
 use crate::files::{refuse_irregular, write_atomically};
@@ -40,7 +40,7 @@ use campaign::records::Record;
 /// when the power goes; nothing when only the program goes.
 const BETWEEN_SYNCS: Duration = Duration::from_secs(1);
 
-/// An open log. The folder is locked for whoever writes it.
+/// An open log. The folder is locked for the writing process.
 #[derive(Debug)]
 pub struct Log {
     state: Mutex<State>,
@@ -53,8 +53,8 @@ struct State {
 }
 
 impl Log {
-    /// Begins a log, in place of what is there. A log is there with its whole header
-    /// or not at all, so that one without is none of this program.
+    /// Begins a log, in place of what is there. A log exists with its whole header or not at all,
+    /// so a file without one is foreign.
     ///
     /// # Errors
     /// Where it cannot be written.
@@ -62,8 +62,8 @@ impl Log {
         write_atomically(path, header.line()?.as_bytes())
     }
 
-    /// Opens a log to go on with it. The caller has compared headers; this is for a
-    /// sweep of so many cases and methods.
+    /// Opens a log to continue it. The caller has compared headers; this is for a sweep with these
+    /// numbers of cases and methods.
     ///
     /// # Errors
     /// Where it is no log, or cannot be written.
@@ -97,7 +97,7 @@ impl Log {
     }
 
     /// How much it holds by now.
-    pub fn counts(&self) -> Counts {
+    pub fn counts(&self) -> LogCounts {
         self.state().content.counts
     }
 

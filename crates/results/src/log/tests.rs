@@ -67,7 +67,7 @@ fn header() -> Header {
     )
 }
 
-/// A log with records in an order of its own, and its bytes.
+/// A log with records in its own order, and its bytes.
 fn written(folder: &Path) -> (PathBuf, Vec<u8>) {
     let path = folder.join("log");
     Log::begin(&path, &header()).unwrap();
@@ -126,9 +126,9 @@ fn only_a_log_or_the_beginning_of_its_own_header_may_be_in_its_place() {
 /// What may happen to the bytes of a file, from a place on.
 #[derive(Debug, Clone)]
 enum Damage {
-    /// So many are replaced by others.
+    /// A number of bytes are replaced by others.
     Replace(usize, Vec<u8>),
-    /// So many are there twice.
+    /// A number of bytes are repeated.
     Repeat(usize),
 }
 
@@ -209,7 +209,7 @@ fn a_damaged_log_gives_only_what_was_written() {
     assert!(seen.iter().all(|&count| count >= 10), "{seen:?}");
 }
 
-/// Motions by name stand beside the rest of an outcome, as they always did.
+/// Motions by name are fields next to the rest of an outcome, as in earlier versions.
 #[test]
 fn a_record_of_an_earlier_version_is_read() {
     let json = r#"{"case":3,"method":0,"values":[1.5],"torque_dynamic_nm":900.0,"site_from_bit_m":50.0,

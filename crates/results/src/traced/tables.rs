@@ -1,5 +1,5 @@
 //! What a traced design delivers: `limits.csv`, the lines of its limits, and `bands.csv`,
-//! how large a part of a tile has the regime where a limit is no line.
+//! which fraction of a tile has the regime where a limit is no line.
 
 use sim::Motion;
 use std::fmt::Write;
@@ -12,14 +12,14 @@ use crate::files::write_with_checksum;
 use crate::folder::{LimitSummary, Manifest, TraceSummary, read_cases};
 use campaign::design::TraceDesign;
 use campaign::rounds::{layer, note_labels, nothing_known};
-use campaign::trace::{Band, Class, Known, Line, Next, Tile, Traced, contours, next};
+use campaign::trace::{Band, Class, Known, LimitLine, Next, Tile, Traced, contours, next};
 
 /// What a traced design has found.
 pub struct TracedLimits<'a> {
     design: &'a TraceDesign,
     methods: Vec<String>,
     traced: Traced,
-    /// What was simulated, before what is between is told from it.
+    /// What was simulated, before the points in between are inferred from it.
     known: Known,
     simulated: usize,
 }
@@ -83,7 +83,7 @@ impl<'a> TracedLimits<'a> {
     }
 
     /// The lines of the limits of a motion by a method.
-    fn lines(&self, method: usize, motion: Motion) -> Vec<Line> {
+    fn lines(&self, method: usize, motion: Motion) -> Vec<LimitLine> {
         contours(&self.traced, layer(method, motion))
     }
 
@@ -113,8 +113,8 @@ impl<'a> TracedLimits<'a> {
         Ok(text)
     }
 
-    /// `bands.csv`: a row for each tile, with the cases of it that tell and the part of them
-    /// that has the regime, with Wilson's interval at 95 %.
+    /// `bands.csv`: a row for each tile, with its classified cases and the fraction of them that
+    /// has the regime, with Wilson's interval at 95 %.
     fn bands_csv(&self, axes: &[String]) -> Result<String> {
         let [x, y] = self.design.values();
         let mut text = format!(
@@ -123,7 +123,7 @@ impl<'a> TracedLimits<'a> {
         );
         for (method, name, motion) in self.each() {
             for band in self.bands(method, motion) {
-                let Some(part) = wilson(band.with, band.told) else {
+                let Some(part) = wilson(band.with, band.classified) else {
                     continue;
                 };
                 let [[left, right], [bottom, top]] = band.tile.ends();
@@ -134,7 +134,13 @@ impl<'a> TracedLimits<'a> {
                     "{name},{},{left},{right},{bottom},{top},",
                     motion.name()
                 )?;
-                write!(text, "{},{},{},", motion.regimes()[0], band.told, band.with)?;
+                write!(
+                    text,
+                    "{},{},{},",
+                    motion.regimes()[0],
+                    band.classified,
+                    band.with
+                )?;
                 writeln!(text, "{},{},{}", part.value, part.low, part.high)?;
             }
         }
@@ -174,7 +180,7 @@ fn between(values: &[f64], place: usize) -> (f64, f64) {
     (0.5 * (low + high), 0.5 * (high - low))
 }
 
-/// Writes `limits.csv` and `bands.csv` beside the `labels.csv` of a folder, and notes them in
+/// Writes `limits.csv` and `bands.csv` next to the `labels.csv` of a folder, and notes them in
 /// its manifest.
 ///
 /// # Errors

@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_point_as_far_the_widest_is_told() {
+    fn without_a_point_as_far_the_widest_is_given() {
         let best = wedge().best(0.4).expect("a point");
         assert!(!best.is_as_asked);
         // At a weight of 128 c, 192 − 256 c is 768 c: three sixteenths.

@@ -1,6 +1,7 @@
 //! Limits over one another, cell by cell.
 
 use super::standing::Standing;
+use campaign::records::{Field, Kind};
 
 /// A cell is no larger than this part of either axis.
 const LARGEST_CELL: f64 = 1.0 / 128.0;
@@ -17,7 +18,7 @@ pub struct Source<'a> {
     /// Its name in a legend.
     pub name: String,
     /// What it is and how sure, in words.
-    pub told: String,
+    pub description: String,
     /// Values along both axes at which it may change: no cell has one of them inside.
     pub edges: [Vec<f64>; 2],
     /// How a stretch of the map stands to it.
@@ -43,7 +44,7 @@ pub struct Limit {
     /// Its name in a legend.
     pub name: String,
     /// What it is and how sure, in words.
-    pub told: String,
+    pub description: String,
     /// How it is drawn.
     pub drawn: Drawn,
     /// How each cell stands to it.
@@ -76,7 +77,7 @@ impl Chart {
                 .map(|cell| (source.standing)(chart.ends(cell)))
                 .collect(),
             name: source.name,
-            told: source.told,
+            description: source.description,
             drawn: source.drawn,
         });
         let limits = limits.collect();
@@ -156,7 +157,35 @@ impl Chart {
     }
 }
 
-/// The ends of a range, all edges inside it, and so many more that no cell is too large.
+/// The columns of a chart as a table, in SI units.
+pub const WINDOW_COLUMNS: [(&str, Kind); 6] = [
+    ("weight_on_bit_kn_from", Kind::Number),
+    ("weight_on_bit_kn_to", Kind::Number),
+    ("surface_speed_rpm_from", Kind::Number),
+    ("surface_speed_rpm_to", Kind::Number),
+    ("standing", Kind::Text),
+    ("limits", Kind::Text),
+];
+
+impl Chart {
+    /// Every cell by these columns: where it is, how it stands, and what it is not clear of.
+    pub fn rows(&self) -> impl Iterator<Item = [Field<'_>; WINDOW_COLUMNS.len()]> {
+        self.cells().map(|cell| {
+            let [[weight, to_weight], [speed, to_speed]] = self.ends(cell);
+            let limits = self.worse_than(Standing::Clear, cell);
+            [
+                weight.into(),
+                to_weight.into(),
+                speed.into(),
+                to_speed.into(),
+                self.standing(cell).key().into(),
+                (!limits.is_empty()).then(|| limits.join("; ")).into(),
+            ]
+        })
+    }
+}
+
+/// The ends of a range, all edges inside it, and enough more that no cell is too large.
 fn edges([least, most]: [f64; 2], all: impl Iterator<Item = f64>) -> Vec<f64> {
     let width = most - least;
     let room = SAME_PLACE * width;
@@ -185,7 +214,7 @@ pub(super) mod tests {
     pub fn chart(of: Vec<StandingOf>) -> Chart {
         let sources = of.into_iter().enumerate().map(|(index, standing)| Source {
             name: format!("limit {index}"),
-            told: String::new(),
+            description: String::new(),
             edges: [Vec::new(), Vec::new()],
             standing,
             drawn: Drawn::Edge,

@@ -52,9 +52,9 @@ impl Chart {
             Some(column + 1).filter(|&it| it < columns),
         ];
         let rows = [row.checked_sub(1), Some(row + 1).filter(|&it| it < rows)];
-        let beside = columns.into_iter().flatten().map(move |it| [it, row]);
+        let sideways = columns.into_iter().flatten().map(move |it| [it, row]);
         let above = rows.into_iter().flatten().map(move |it| [column, it]);
-        beside.chain(above).map(|place| self.number(place))
+        sideways.chain(above).map(|place| self.number(place))
     }
 
     fn region(&self, cells: Vec<usize>) -> Region {
@@ -94,8 +94,8 @@ impl Chart {
             let right = steps(&mut (column + 1..columns).map(|it| [it, row]));
             let below = steps(&mut (0..row).rev().map(|it| [column, it]));
             let above = steps(&mut (row + 1..rows).map(|it| [column, it]));
-            let (beside, upright) = (left.min(right), below.min(above));
-            (beside.min(upright), beside.max(upright))
+            let (sideways, upright) = (left.min(right), below.min(above));
+            (sideways.min(upright), sideways.max(upright))
         };
         let best = region.cells.iter().max_by_key(|cell| depth(cell));
         best.copied().unwrap_or_default()

@@ -39,7 +39,7 @@ pub struct Points {
 struct Found {
     with: bool,
     without: bool,
-    untold: bool,
+    undetermined: bool,
     /// Of labels that are certified, one that is not certain.
     uncertain: bool,
 }
@@ -50,7 +50,7 @@ impl Found {
         Self {
             with: self.with || other.with,
             without: self.without || other.without,
-            untold: self.untold || other.untold,
+            undetermined: self.undetermined || other.undetermined,
             uncertain: self.uncertain || other.uncertain,
         }
     }
@@ -64,9 +64,9 @@ pub struct Cells {
 }
 
 /// What the cases of a results folder say of a motion: each is with sustained vibration or
-/// without. Random cases are counted in so many ranges of either axis, and a cell is clear where no
-/// more than a part `risk` of its cases has the vibration: the upper end of Wilson's interval, by
-/// every method; against it where the lower end is more.
+/// without. Random cases are counted in a number of ranges of either axis, and a cell is clear
+/// where no more than a fraction `risk` of its cases has the vibration: the upper end of Wilson's
+/// interval, by every method; against it where the lower end is more.
 ///
 /// # Errors
 /// Where the cases do not say that over both axes, or the tables cannot be read.
@@ -119,7 +119,7 @@ fn traced(limits: &TracedLimits, manifest: &Manifest, motion: Motion) -> Points 
                 match limits.class(method, motion, place) {
                     Class::With => at.with = true,
                     Class::Without => at.without = true,
-                    Class::Undetermined | Class::Unknown => at.untold = true,
+                    Class::Undetermined | Class::Unknown => at.undetermined = true,
                 }
             }
             found.push(at);
@@ -149,7 +149,7 @@ fn points(tables: &ResultTables, motion: Motion) -> Result<Points> {
             match row.labels.is_sustained(motion) {
                 Some(true) => at.with = true,
                 Some(false) => at.without = true,
-                None => at.untold = true,
+                None => at.undetermined = true,
             }
         }
         cases.push(([case.values[0], case.values[1]], at));
@@ -177,7 +177,7 @@ fn points(tables: &ResultTables, motion: Motion) -> Result<Points> {
         *all = Some(all.unwrap_or_default().and(own));
     }
     let missing = Found {
-        untold: true,
+        undetermined: true,
         ..Found::default()
     };
     Ok(Points {
@@ -198,9 +198,9 @@ fn cells(counts: &Counts, motion: Motion, risk: f64) -> Cells {
     for (index, (_, _, group)) in groups.enumerate() {
         let sustained = group.sustained();
         for (cell, standing) in standings.iter_mut().enumerate() {
-            let [with, told] = sustained[cell];
+            let [with, classified] = sustained[cell];
             let all = group.all[cell];
-            let own = match wilson(with + all - told, all) {
+            let own = match wilson(with + all - classified, all) {
                 None => Standing::Undetermined,
                 Some(part) if part.high <= risk => Standing::Clear,
                 Some(part) if part.low > risk => Standing::Against,
@@ -271,7 +271,9 @@ impl Points {
             }
         }
         match all {
-            Found { untold: true, .. } => Standing::Undetermined,
+            Found {
+                undetermined: true, ..
+            } => Standing::Undetermined,
             Found {
                 uncertain: true, ..
             } => Standing::Near,
@@ -296,10 +298,10 @@ mod tests {
 
     #[test]
     fn a_limit_passes_between_points_that_differ() {
-        let [with, without, untold] = [0, 1, 2].map(|kind| Found {
+        let [with, without, undetermined] = [0, 1, 2].map(|kind| Found {
             with: kind == 0,
             without: kind == 1,
-            untold: kind == 2,
+            undetermined: kind == 2,
             uncertain: false,
         });
         // Two weights by three speeds by two methods: at the highest speed of the first weight
@@ -322,7 +324,7 @@ mod tests {
         assert_eq!(at(&points, [3.2, 3.5]), Standing::Clear);
         points.found[3].uncertain = true;
         assert_eq!(at(&points, [3.2, 3.5]), Standing::Near);
-        points.found[7] = untold;
+        points.found[7] = undetermined;
         assert_eq!(at(&points, [3.2, 3.5]), Standing::Undetermined);
         points.ragged = vec![[[10.0, 20.0], [1.0, 2.0]]];
         assert_eq!(at(&points, [1.0, 1.5]), Standing::Near);

@@ -36,22 +36,31 @@ impl Kernel {
     }
 }
 
+/// Terms that are added up side by side.
+const LANES: usize = 16;
+
 /// Scalar product in a fixed order, so that results are the same everywhere,
 /// with enough independent sums for the processor to work in parallel.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    const LANES: usize = 16;
     let mut sums = [0.0; LANES];
     let (a_blocks, b_blocks) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
-    let rest: f64 = (a_blocks.remainder().iter())
-        .zip(b_blocks.remainder())
-        .map(|(x, y)| x * y)
-        .sum();
+    let rest = std::iter::zip(a_blocks.remainder(), b_blocks.remainder());
+    for (sum, (x, y)) in sums.iter_mut().zip(rest) {
+        *sum = x * y;
+    }
     for (x, y) in a_blocks.zip(b_blocks) {
         for lane in 0..LANES {
             sums[lane] += x[lane] * y[lane];
         }
     }
-    sums.iter().sum::<f64>() + rest
+    let mut left = LANES;
+    while left > 1 {
+        left /= 2;
+        for lane in 0..left {
+            sums[lane] += sums[left + lane];
+        }
+    }
+    sums[0]
 }
 
 #[cfg(test)]

@@ -13,8 +13,8 @@ pub(super) const RATIO: usize = 8;
 /// A level is worth its transforms if the kernel has this many of its blocks.
 const LEAST_BLOCKS: usize = 4;
 
-/// Length of a block, and how many of them of the kernel are kept, of each level for
-/// responses of so many taps.
+/// Length of a block, and how many of them of the kernel are kept, of each level for responses of a
+/// number of taps.
 pub(super) fn partitions(longest: usize) -> impl Iterator<Item = (usize, usize)> {
     let is_last = move |block: usize| RATIO * LEAST_BLOCKS * block > longest;
     let blocks = std::iter::successors(Some(FIRST_BLOCK), move |&block| {

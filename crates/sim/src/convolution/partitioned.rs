@@ -45,7 +45,7 @@ impl<'a> Convolution<'a> {
         Past::bytes(sites, planes, taps, steps)
     }
 
-    /// The empty past of a case of at most so many steps.
+    /// The empty past of a case of at most `steps` steps.
     pub fn new(kernels: &'a Kernels, planes: usize, steps: usize) -> Self {
         Self {
             kernels,
@@ -66,7 +66,7 @@ impl<'a> Convolution<'a> {
         Ok(())
     }
 
-    /// The same, for so many sums.
+    /// The same, for several sums.
     pub(crate) fn write_past(&self, sums: &mut [f64]) {
         let within = self.steps % FIRST_BLOCK;
         let channels = self.past.known.chunks_exact(FIRST_BLOCK);
@@ -93,7 +93,7 @@ impl<'a> Convolution<'a> {
         }
     }
 
-    /// The same, for so many inputs.
+    /// The same, for several inputs.
     pub(crate) fn add(&mut self, inputs: &[f64]) {
         let mut is_active = false;
         for (channel, &input) in inputs.iter().enumerate() {

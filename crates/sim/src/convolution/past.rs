@@ -11,7 +11,7 @@ use super::partition::{FIRST_BLOCK, RATIO, partitions};
 /// Numbers of the buffers for transforms and sums, for each step of a block of the highest level.
 const BUFFERS: f64 = 16.0;
 
-/// At most so many planes are known.
+/// The most planes.
 const PLANES: usize = 2;
 
 thread_local! {
@@ -65,7 +65,7 @@ impl Past {
         REAL * ((planes * sites) as f64 * of_channel + BUFFERS * largest)
     }
 
-    /// An empty one for a case of at most so many steps.
+    /// An empty one for a case of at most `steps` steps.
     pub(super) fn empty(kernels: &Kernels, planes: usize, steps: usize) -> Self {
         let last = LAST.with_borrow_mut(|last| last.get_mut(planes.wrapping_sub(1))?.take());
         let mut past: Self = last.unwrap_or_default();
@@ -127,13 +127,13 @@ impl PastLevel {
     }
 }
 
-/// So many of one value.
+/// `count` of one value.
 fn cleared<T: Copy>(values: &mut Vec<T>, count: usize, value: T) {
     values.clear();
     values.resize(count, value);
 }
 
-/// At least so many, whatever they are.
+/// At least `count`, of any values.
 fn at_least<T: Clone + Default>(values: &mut Vec<T>, count: usize) {
     if values.len() < count {
         values.resize(count, T::default());

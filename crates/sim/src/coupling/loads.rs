@@ -55,7 +55,7 @@ impl Loads {
 
     /// Those that act on other ports than this one.
     #[inline]
-    pub(super) fn besides(&self, port: usize) -> impl Iterator<Item = (usize, &Load)> {
+    pub(super) fn others_than(&self, port: usize) -> impl Iterator<Item = (usize, &Load)> {
         let others = self.acting.iter().filter(move |other| **other != port);
         others.map(|&other| (other, &self.all[other]))
     }

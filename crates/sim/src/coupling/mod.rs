@@ -11,13 +11,13 @@
 //! these: Gauss and Seidel's method for a symmetric positive matrix where no law acts. A turn says
 //! what is held and what turns, and all that turn are then brought nearer at once.
 
+mod gauss_seidel;
 mod loads;
 mod newton;
 mod ports;
 mod row;
 #[cfg(test)]
 mod tests;
-mod turns;
 
 pub(crate) use loads::Load;
 pub(crate) use ports::{Coupling, Free, Solved, Unloaded};

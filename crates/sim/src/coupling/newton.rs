@@ -10,7 +10,7 @@ use super::loads::Load;
 use super::ports::{Coupling, Free, Solved, Unloaded};
 use crate::line::Torsion;
 
-/// A load has so many components: two of force, and torque.
+/// The components of a load: two of force, and torque.
 const COMPONENTS: usize = 3;
 
 /// Answers are differentiated over this part of the largest load.

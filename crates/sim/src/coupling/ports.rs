@@ -191,7 +191,7 @@ impl<'a> Coupling<'a> {
                 (speed, guess)
             }
         };
-        for (other, load) in self.loads.besides(port) {
+        for (other, load) in self.loads.others_than(port) {
             if let Some((walled, wall)) = wall
                 && let Some(other) = walled.walls.at(other)
             {

@@ -1,7 +1,7 @@
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-use super::turns::{COUPLING_TOLERANCE, MOST_TURNS};
+use super::gauss_seidel::{COUPLING_TOLERANCE, MOST_TURNS};
 use super::*;
 use crate::laws::contact::{Approach, Spin, WallLaw};
 use crate::laws::wall::Wall;
@@ -194,7 +194,7 @@ impl Walls {
         }
     }
 
-    /// The loads that turns, and Newton's method, come to.
+    /// The loads to which Gauss–Seidel iteration and Newton's method converge.
     fn settle(&self) -> Option<Vec<Load>> {
         let (torsion, bending) = (channel(&self.torsion), channel(&self.bending));
         let radii: Vec<f64> = self.walls.iter().map(WallLaw::radius).collect();
@@ -402,9 +402,9 @@ fn are_alike(one: &[Load], other: &[Load]) -> bool {
     })
 }
 
-/// Two or three sites that feel one another, to the last of thousands of steps: what the turns
-/// come to is among the solutions that a search of all ways of touching finds, and where that
-/// finds one, they settle.
+/// Two or three coupled sites, in every one of thousands of steps: the result of the iteration is
+/// among the solutions that a search of all ways of touching finds, and where that finds one, the
+/// iteration converges.
 #[test]
 fn walls_settle_where_brute_force_finds_them() {
     let mut state = 7u64;

@@ -26,16 +26,16 @@ impl TorqueLaw for BitTorque {
     /// torque law (Eqs. 16 and 18).
     ///
     /// Where load line and law cross more than once, Friedlander's rule keeps
-    /// the bit doing what it did: a turning bit turns on, at the largest speed that they have
-    /// in common, while there is one in that direction, a stuck one stays while |T| ≤ T_s.
+    /// the bit on its branch: a turning bit continues, at the largest common speed in that
+    /// direction, while there is one; a stuck one stays while |T| ≤ T_s.
     #[inline]
     fn meet(&self, before: &BitMotion, line: LoadLine) -> TorqueStep<BitMotion> {
-        let turns_on = match before {
+        let still_turning = match before {
             BitMotion::Stuck => None,
             BitMotion::Forward => self.slide(1.0, line),
             BitMotion::Backward => self.slide(-1.0, line),
         };
-        turns_on.unwrap_or_else(|| self.hold_or_slip(line))
+        still_turning.unwrap_or_else(|| self.hold_or_slip(line))
     }
 
     fn turning_at(&self, speed: f64) -> BitMotion {
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn between_the_limits_the_bit_goes_on_as_it_was() {
+    fn between_the_limits_the_bit_continues_as_before() {
         // The load line at −1.1 N m meets both branches.
         let free_speed = 1.1;
         assert_eq!(

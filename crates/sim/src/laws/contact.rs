@@ -90,9 +90,9 @@ pub trait WallLaw {
     /// Where there is no answer in finite numbers.
     fn meet(&self, approach: &Approach) -> Result<Contact, ContactError>;
 
-    /// The most friction, in parts of the normal force, that holds what rolls, where that alone
-    /// decides whether it goes on rolling: whirl that has settled in rolling with less then
-    /// lasts, and a case may end early. `None` where something else decides, too.
+    /// The largest ratio of friction to normal force in rolling, where that alone decides whether
+    /// rolling continues: whirl that has settled in rolling with less lasts, and a case may end
+    /// early. `None` where something else decides, too.
     fn rolling_limit(&self) -> Option<f64> {
         None
     }
@@ -168,7 +168,7 @@ impl Contact {
     /// A site at a position that does not reach the wall.
     ///
     /// # Errors
-    /// Where the position is none.
+    /// Where the position is not finite.
     pub fn free(position: [f64; 2]) -> Result<Self, ContactError> {
         let [x, y] = position;
         if x * x + y * y == f64::INFINITY {
@@ -184,8 +184,7 @@ impl Contact {
 /// A step in contact without an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum ContactError {
-    /// Where the string would be, or how fast it would turn, is no number, or one
-    /// whose square is none.
+    /// The position or the speed of the string would not be finite, or its square would not.
     #[error("the motion is not finite")]
     NotFinite,
     /// What was found does not obey the laws of contact to rounding: the wall or

@@ -13,6 +13,9 @@ use std::f64::consts::FRAC_1_SQRT_2;
 /// times rounding.
 const SAME_SPEED: f64 = 1e-14;
 
+/// Beyond this exponent e^(−x) is no double; asking for it takes ten times as long as any other.
+const NOTHING_LEFT: f64 = 746.0;
+
 /// Steps to a speed. Halving alone takes half of them; of Newton's, close to where two roots are
 /// one, each halves what is left.
 const MOST_STEPS: usize = 100;
@@ -29,7 +32,7 @@ pub(super) enum Shape {
     Gaussian,
 }
 
-/// Friction over the speed of sliding, in whatever unit.
+/// Friction over the speed of sliding, in any unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FrictionCurve {
     /// F_s.
@@ -70,10 +73,14 @@ impl FrictionCurve {
             return 0.0;
         }
         let scaled = speed / self.decay_speed;
-        more * match self.shape {
-            Shape::Exponential => (-scaled).exp(),
-            Shape::Gaussian => (-scaled.powi(2)).exp(),
+        let exponent = match self.shape {
+            Shape::Exponential => scaled,
+            Shape::Gaussian => scaled.powi(2),
+        };
+        if exponent > NOTHING_LEFT {
+            return 0.0;
         }
+        more * (-exponent).exp()
     }
 
     /// A factor times −F′, what is left of friction given. (The order of the products is that of

@@ -107,11 +107,14 @@ impl Wall {
     /// on the wall: r with |r e − m p| = (1 − m) c for the position p before and the part
     /// m of the step that is still to go.
     fn chord(&self, approach: &Approach, [x, y]: [f64; 2]) -> f64 {
-        let ([px, py], moment) = (approach.previous_position, approach.sampling.moment);
+        let ([px, py], collocation_offset) = (
+            approach.previous_position,
+            approach.sampling.collocation_offset,
+        );
         let length = length([x, y]);
-        let along = moment * (px * x + py * y) / length;
-        let across = moment * (px * y - py * x) / length;
-        let reach = (1.0 - moment) * self.clearance;
+        let along = collocation_offset * (px * x + py * y) / length;
+        let across = collocation_offset * (px * y - py * x) / length;
+        let reach = (1.0 - collocation_offset) * self.clearance;
         along + ((reach - across) * (reach + across)).max(0.0).sqrt()
     }
 }

@@ -4,12 +4,12 @@
 pub mod bit;
 mod bracket;
 pub mod contact;
+mod contact_residual;
+mod contact_step;
 mod friction_curve;
 mod in_step;
 mod newton;
-mod obeyed;
 pub mod pipe;
-mod press;
 pub mod rock;
 pub mod table;
 pub mod torque;

@@ -1,18 +1,17 @@
-//! Newton's method for a convex, increasing function, in a bounded number of
-//! steps whatever it answers.
+//! Newton's method for a convex, increasing function, in a bounded number of steps for any values.
 
 /// A step as small as this part of the root ends within rounding of it: the next
 /// would be as small as the square of this.
 const CLOSE: f64 = 1e-8;
 
 /// Most steps. One or two are usual; a sixth power, the steepest function of a contact,
-/// comes down by a factor of 10⁷ in so many.
+/// is reduced by a factor of 10⁷ in this number.
 const MOST_STEPS: usize = 100;
 
 /// The root: a step from a guess on either side ends above it, and from there none
-/// overshoots, until rounding stops them, or at once where the guess was that close. `above`
-/// gives a place to go on from in the stead of one too far above, or of none: a guess of zero has
-/// no slope. Whether what was found is the root is for the caller to see.
+/// overshoots, until rounding stops them, or at once where the guess was that close. `above` gives
+/// a place to continue from instead of one too far above, or not finite: a guess of zero has no
+/// slope. Whether what was found is the root is for the caller to see.
 #[inline(always)]
 pub(super) fn newton(
     guess: f64,
@@ -78,7 +77,7 @@ mod tests {
         }
     }
 
-    /// Steps of a millionth part are not close, and would go on for ten million.
+    /// Steps of a relative millionth are not close, and would take ten million.
     #[test]
     fn a_function_that_is_hardly_convex_does_not_creep() {
         let mut asked = 0;

@@ -51,9 +51,9 @@ impl OnLines {
             BitMotion::Stuck => None,
             motion => Some(motion == BitMotion::Forward),
         };
-        let goes_on = was_forward == Some(direction > 0.0);
+        let continues = was_forward == Some(direction > 0.0);
         let fast = (self.folds)
-            .filter(|_| goes_on && self.curve.is_fast(before.speed))
+            .filter(|_| continues && self.curve.is_fast(before.speed))
             .and_then(|(_, fold)| self.fast(driven, fold, guess));
         let is_held = driven <= self.compliance * self.curve.at_rest;
         let Some(speed) = fast.or_else(|| (!is_held).then(|| self.slow(driven, guess))) else {

@@ -149,7 +149,7 @@ impl CuttingLaw {
         )
     }
 
-    /// The corners (W, T) of the law; its last straight line goes on for ever.
+    /// The corners (W, T) of the law; its last straight line has no end.
     fn corners(&self) -> Vec<(f64, f64)> {
         let phase_one = self.end_of_phase_one();
         // Phase II: all further weight cuts, dt/dw = 1/ζ.

@@ -34,7 +34,7 @@ impl TabulatedFriction {
         self.piece(self.piece_of(speed)).torque_at(speed)
     }
 
-    /// The row at or below a speed, from which a straight line goes on.
+    /// The row at or below a speed, where the next straight line begins.
     fn piece_of(&self, speed: f64) -> usize {
         let above = self.rows.partition_point(|row| row.0 <= speed);
         above.saturating_sub(1)
@@ -121,9 +121,9 @@ impl TorqueLaw for TabulatedFriction {
         let direction = line.free_speed.signum();
         let driven = direction * line.free_speed;
         let torque = -line.free_speed / line.compliance;
-        let goes_on = direction * before > 0.0;
+        let continues = direction * before > 0.0;
         let slips = torque.abs() > self.torque_static;
-        let speed = match goes_on {
+        let speed = match continues {
             true => self.turning(direction * before, driven, line.compliance),
             false if slips => self.turning(0.0, driven, line.compliance),
             false => 0.0,

@@ -111,7 +111,7 @@ pub trait TorqueLaw {
     }
 
     /// Whether the torque follows from the motion alone, and from no more of that than the last
-    /// cycle of stick-slip: not from the time. Motion that repeats itself then goes on so, and a
+    /// cycle of stick-slip: not from the time. Motion that repeats itself then continues to, and a
     /// case may end early.
     fn is_autonomous(&self) -> bool {
         false

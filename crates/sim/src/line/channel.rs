@@ -12,8 +12,8 @@ pub(crate) type Torsion = Channel<1, 1>;
 /// Bending in two planes: from forces to displacements.
 pub(crate) type Bending = Channel<2, 2>;
 
-/// A channel as all cases share it. A mesh has so many degrees of freedom at a node, and moves in
-/// so many planes.
+/// A channel as all cases share it. A mesh has `FREEDOMS` degrees of freedom at a node, and moves
+/// in `PLANES` planes.
 #[derive(Debug, Clone)]
 pub(crate) struct Channel<const FREEDOMS: usize, const PLANES: usize> {
     sites: usize,
@@ -53,7 +53,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
         Kernels::bytes(sites, taps) + Self::instant_bytes(sites)
     }
 
-    /// Bytes besides a mesh.
+    /// Bytes without those of a mesh.
     pub(crate) fn instant_bytes(sites: usize) -> f64 {
         REAL * (sites * sites) as f64
     }
@@ -63,7 +63,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
         Convolution::bytes(sites, PLANES, taps, steps)
     }
 
-    /// Bytes of the loads of a number of steps, besides the motion of a mesh.
+    /// Bytes of the loads of a number of steps, without the motion of a mesh.
     pub(crate) fn load_bytes(sites: usize, steps: f64) -> f64 {
         REAL * (PLANES * sites) as f64 * steps
     }
@@ -115,7 +115,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
         }
     }
 
-    /// The empty past of a case of at most so many steps.
+    /// The empty past of a case of at most `steps` steps.
     pub(crate) fn past(&self, steps: usize) -> Past<'_, FREEDOMS, PLANES> {
         match &self.memory {
             Memory::Taps(kernels) => Past::Taps(Convolution::new(kernels, PLANES, steps)),
@@ -173,7 +173,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Past<'_, FREEDOMS, PLANES> {
         }
     }
 
-    /// Ends a whole block without loads, of which [`Self::next_block`] has told.
+    /// Ends a whole block without loads, which [`Self::next_block`] gave.
     pub(crate) fn push_quiet_block(&mut self) {
         match self {
             Self::Taps(convolution) => convolution.push_quiet_block(),

@@ -1,6 +1,5 @@
 //! The string between the ports at which loads act, as lines: of each motion one.
-//!
-//! A line answers the same two questions in every step, whatever it is made of: how would its
+//! Every kind of line answers the same two questions in every step: how would its
 //! ports move without the loads of this step, and how far does a load move them within it? Then
 //! it takes the loads that the laws have found.
 //!

@@ -81,8 +81,8 @@ impl Pieces {
         REAL * ports as f64 * (PORT + waves as f64)
     }
 
-    /// Prepares a string in pieces for a surface that turns by a profile; a motor that holds
-    /// the speed whatever it takes has this inertia, kg m².
+    /// Prepares a string in pieces for a surface that turns by a profile; a motor that holds the
+    /// speed at any torque has this inertia, kg m².
     pub(crate) fn new(
         cascade: &Cascade,
         profile: &SurfaceProfile,

@@ -24,8 +24,8 @@ pub(crate) struct Whole {
     pub(crate) from_torques: Torsion,
     /// Response of each site to a surface whose final speed is 1 rad/s.
     pub(crate) surface: Vec<SurfaceResponse>,
-    /// From a torque at the bit to the speeds of the sites that bear none, which are only
-    /// looked at.
+    /// From a torque at the bit to the speeds of the sites without torques, which are only
+    /// observed.
     pub(crate) to_others: Vec<(usize, Kernel)>,
 }
 

@@ -10,7 +10,7 @@ pub(super) struct Waves {
 }
 
 impl Waves {
-    /// Nothing yet, of an input that is looked at by these.
+    /// Nothing yet, of an input that these kernels read.
     pub(super) fn none(kernels: &[&Kernel]) -> Self {
         let reach = kernels.iter().map(|kernel| kernel.memory()).max();
         let reach = reach.unwrap_or(0);

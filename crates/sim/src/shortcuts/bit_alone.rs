@@ -43,7 +43,7 @@ impl BitAlone {
         }
     }
 
-    /// Bytes of a case, besides its past.
+    /// Bytes of a case, without its past.
     pub(crate) fn case_bytes(taps: usize) -> f64 {
         LookAhead::look_bytes(taps)
     }
@@ -72,7 +72,7 @@ impl BitAlone {
 
     /// Whether cycles that agree up to a step are going to repeat themselves: not before the
     /// start of the surface is over, and not if they are so short that the surface has not
-    /// answered them yet, as where a bit that creeps is caught again and again by its collars.
+    /// answered them yet, as where a creeping bit sticks repeatedly through its collars.
     pub(crate) fn repeats(&self, start: &Start, step: usize, watch: &BitWatch) -> bool {
         let steady_from = match start {
             Start::Rest => self.steady_from,
@@ -104,7 +104,7 @@ impl BitAlone {
 
     /// The speeds that the bit is going to have, if it never stops again; they are looked
     /// for once after each slip, when it has been turning for as long as `rules` say.
-    pub(crate) fn turns_on<B: TorqueLaw, W: WallLaw>(
+    pub(crate) fn cannot_stick_again<B: TorqueLaw, W: WallLaw>(
         &self,
         system: &System,
         stepper: &Stepper<B, W>,

@@ -41,7 +41,7 @@ pub(crate) fn pass_free_block<B: TorqueLaw, W: WallLaw>(
     let clearances = lateral.walls.iter().map(WallLaw::clearance);
     let blocks = x.chunks_exact(FIRST_BLOCK).zip(y.chunks_exact(FIRST_BLOCK));
     let is_free = blocks.zip(clearances).all(|((x, y), clearance)| {
-        // Counted, for the largest of some numbers ignores what is none.
+        // Counted, because the maximum of some numbers ignores NaN.
         let radii = (x.iter().zip(y)).map(|(x, y)| x * x + y * y);
         let within = radii.filter(|square| *square <= clearance * clearance);
         within.count() == FIRST_BLOCK

@@ -29,7 +29,7 @@ pub(super) struct Case<'a, B: TorqueLaw, W: WallLaw> {
     watch: Watchers,
 }
 
-/// How a case came to its end.
+/// How a case ended.
 pub(super) struct End {
     ended: Ended,
     /// The last step that was stepped.
@@ -94,7 +94,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
             if self.stopping == Stopping::Full {
                 continue;
             }
-            if self.turns_on() {
+            if self.cannot_stick_again() {
                 (end.ended, end.last) = (Ended::Certain, last - 1);
                 return Ok(end);
             }
@@ -138,7 +138,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
     }
 
     /// Whether a bit that nothing else acts on is never going to stop again.
-    fn turns_on(&mut self) -> bool {
+    fn cannot_stick_again(&mut self) -> bool {
         let (Some(alone), Some(watch)) = (self.alone, &mut self.watch.bit) else {
             return false;
         };
@@ -146,15 +146,16 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
         if !law.is_some_and(TorqueLaw::is_constant_in_slip) {
             return false;
         }
-        let Some(speeds) = alone.turns_on(self.system, &self.stepper, watch, &self.rules) else {
+        let Some(speeds) = alone.cannot_stick_again(self.system, &self.stepper, watch, &self.rules)
+        else {
             return false;
         };
         watch.turn_on(&speeds);
         true
     }
 
-    /// The label that motion has settled to, if it has. A bit that cuts beside a wall has
-    /// a regime of its own to wait for.
+    /// The label that motion has settled to, if it has. A bit that cuts next to a wall has its own
+    /// regime to wait for.
     fn settles(&mut self) -> Option<Label> {
         let mut laws = self.scene.bit.iter();
         if !laws.all(TorqueLaw::is_autonomous) {
@@ -179,7 +180,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
         has_settled.then(|| Label::Lateral(settling.measures(watch).regime))
     }
 
-    /// The rest of the time as what has settled goes on.
+    /// The rest of the time, in which the settled motion continues.
     fn take_as_settled(&mut self, label: Label) {
         let Some(watch) = &mut self.watch.bit else {
             return;

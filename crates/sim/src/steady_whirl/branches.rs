@@ -98,7 +98,7 @@ struct Trace<'a, K> {
     wanted: Wanted,
     least_pressing: f64,
     branches: Vec<Vec<SteadyWhirl>>,
-    /// Whether the last branch goes on.
+    /// Whether the last branch continues.
     is_open: bool,
 }
 

@@ -158,7 +158,7 @@ impl<'a> Contacts<'a> {
             .collect()
     }
 
-    /// The whirl that Newton's method comes to from a start, if one is there.
+    /// The whirl to which Newton's method converges from a start, if any.
     pub fn solved(&self, start: State) -> Option<State> {
         let mut state = State {
             rate: self.here.rate,

@@ -6,11 +6,10 @@
 //! wall, its size follows from that radius, |H_mm| F:
 //!
 //! F = m_e d Ω² / (1 − m_e Ω² |H_mm|), and any site goes round at |H_jm| F.
-//!
-//! So a site comes to its clearance c_j where its **reach** m_e Ω² (d |H_jm|/c_j + |H_mm|) comes to
-//! one; there is no other limit to the radius where m_e Ω² |H_mm| does. No resonance can be missed
-//! between two speeds: −H maps the quarter plane of [`super::variation`] into the upper half plane
-//! as K does, and so do −f*Hf for all forces f. Over a hyperbolic distance D such a function
+//! So a site reaches its clearance c_j where its **reach** m_e Ω² (d |H_jm|/c_j + |H_mm|) equals
+//! one; there is no other limit to the radius where m_e Ω² |H_mm| equals one. No resonance can be
+//! missed between two speeds: −H maps the quarter plane of [`super::variation`] into the upper half
+//! plane as K does, and so do −f*Hf for all forces f. Over a hyperbolic distance D such a function
 //! changes by no more than (e^D − 1) times its imaginary part. That of forces at the mass and a
 //! site, in the sizes at which their losses are equal, gives for the receptance between them
 //!
@@ -27,17 +26,17 @@ use crate::excitation::EccentricMass;
 use crate::laws::wall::Wall;
 use crate::ranges::{SceneError, positive};
 
-/// Over this hyperbolic distance a reach changes by about as large a part of it: nearer to one
-/// is not told from touching.
+/// Over this hyperbolic distance a reach changes by about the same relative amount: a reach nearer
+/// to one counts as touching.
 const NEAREST: f64 = 1e-3;
 
 /// Normal forces are tried from this part of the force of the mass without a wall …
 const LEAST_FORCE: f64 = 1e-9;
 
-/// … to so many times it, …
+/// … to this multiple of it, …
 const MOST_FORCE: f64 = 1e6;
 
-/// … at so many places.
+/// … at this number of values.
 const FORCES: i32 = 3000;
 
 /// A string with an eccentric mass between walls.
@@ -55,7 +54,7 @@ pub struct EccentricString<H> {
 
 /// The lowest speed at which forward whirl touches a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Touch {
+pub struct LowestTouch {
     /// Surface speed, rad/s.
     pub surface_speed: f64,
     /// The site that comes nearest there to its wall.
@@ -90,7 +89,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
     ///
     /// # Errors
     /// Where the lower speed is not positive, or the string is not damped enough to tell.
-    pub fn first_touch(&self, surface_speeds: [f64; 2]) -> Result<Option<Touch>, SceneError> {
+    pub fn first_touch(&self, surface_speeds: [f64; 2]) -> Result<Option<LowestTouch>, SceneError> {
         let [slowest, fastest] = surface_speeds;
         positive("surface speed in rad/s", slowest)?;
         if self.decay_rate <= LEAST_DECAY * fastest {
@@ -176,15 +175,15 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
         greatest.unwrap_or((mass, scale * most(mass)))
     }
 
-    fn touch(&self, here: &Sample) -> Touch {
-        Touch {
+    fn touch(&self, here: &Sample) -> LowestTouch {
+        LowestTouch {
             surface_speed: here.rate,
             site: self.reach(here, 0.0, here.rate).0,
         }
     }
 
     /// The first touch from the lower of two speeds on, up to the higher one.
-    fn between(&self, [low, high]: [&Sample; 2]) -> Option<Touch> {
+    fn between(&self, [low, high]: [&Sample; 2]) -> Option<LowestTouch> {
         let variation = Variation {
             decay_rate: self.decay_rate,
         };

@@ -146,7 +146,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> Balance<'_, H> {
         left
     }
 
-    /// The balance of these sites that Newton's method comes to.
+    /// The balance of these sites to which Newton's method converges.
     fn solved(&self, start: State) -> Option<State> {
         let place = |state: &State| {
             let sites = state.touching.iter().flat_map(|it| [it.root, it.phase]);

@@ -37,15 +37,14 @@ use super::variation::Variation;
 use super::{LEAST_DECAY, MOST_FRICTION};
 use crate::laws::wall::Wall;
 
-/// Between the rates that are looked at no λ is greater than the greatest found by more than
-/// this part of it …
+/// Between the rates examined no λ exceeds the greatest found by more than this fraction of it …
 const TOLERANCE: f64 = 0.008;
 
-/// … and none is told that is not greater by this part than the last.
+/// … and only those are reported that exceed the last by this fraction.
 const STEP: f64 = 0.002;
 
-/// Rates that differ by a smaller part do not differ in what they need, but by rounding: over that
-/// distance, where damping is as light as is looked at, it changes by a thousandth.
+/// Rates that differ by a smaller part need the same friction up to rounding: over that distance,
+/// at the lightest damping considered, it changes by a thousandth.
 const NEAREST: f64 = 1e-9;
 
 /// Any wall has this friction: less is not looked for.
@@ -197,8 +196,8 @@ impl<H: Fn(f64) -> Vec<Complex64>> Search<'_, H> {
     /// After what is found, if it is harder by a step.
     fn add(&mut self, point: &Point) {
         self.most = self.most.max(point.ratio);
-        let told = (self.found.last()).map_or(MOST_FRICTION, |whirl| whirl.least_friction);
-        if point.ratio * told > 1.0 + STEP {
+        let reported = (self.found.last()).map_or(MOST_FRICTION, |whirl| whirl.least_friction);
+        if point.ratio * reported > 1.0 + STEP {
             self.found.push(self.whirl(point));
         }
     }

@@ -38,13 +38,13 @@ mod variation;
 use crate::laws::wall::Wall;
 use balance::Balance;
 pub use branches::MOST_FRICTION;
-pub use forward::{EccentricString, ForwardWhirl, Touch};
+pub use forward::{EccentricString, ForwardWhirl, LowestTouch};
 pub use forward_contacts::ForwardContacts;
 pub use many_sites::{SitesWhirl, WhirlingSites};
-pub use together::{Contact, WhirlTogether};
+pub use together::{WhirlContact, WhirlTogether};
 use variation::{Sample, Variation};
 
-/// Whirl is looked for up to a radius of so many clearances.
+/// Whirl is looked for up to a radius of this number of clearances.
 const MOST_CLEARANCES: f64 = 1e3;
 
 /// A string whose oscillations decay by a smaller part than this in the time of one
@@ -62,7 +62,7 @@ pub struct WhirlingSite<K> {
     pub dynamic_stiffness: K,
     /// σ, 1/s: everywhere along the string the damping is at least 2σ times the
     /// mass, so that all oscillations decay at least as fast as exp(−σt). Where it is
-    /// less than a millionth of the fastest rate no whirl is told: a string without
+    /// less than a millionth of the fastest rate no whirl is reported: a string without
     /// damping needs no friction to whirl.
     pub decay_rate: f64,
 }

@@ -13,8 +13,8 @@ const DIFFERENCE: f64 = 1e-6;
 /// What is left of each equation at a root, in parts of its size.
 const BALANCED: f64 = 1e-10;
 
-/// The root that the method comes to from a start, of as many equations as unknowns: `left` is what
-/// is left of each, in parts of its size. None where it comes to none.
+/// The root to which the method converges from a start, of as many equations as unknowns: `left` is
+/// the residual of each, relative to its size. `None` where it does not converge.
 pub(super) fn root(start: Vec<f64>, left: impl Fn(&[f64]) -> Vec<f64>) -> Option<Vec<f64>> {
     let mut place = start;
     let mut here = left(&place);
@@ -51,7 +51,7 @@ fn slopes(place: &[f64], left: &impl Fn(&[f64]) -> Vec<f64>) -> Mat<f64> {
     })
 }
 
-/// The root of the sum of squares; no number where one is none.
+/// The root of the sum of squares; NaN where a value is.
 fn size(left: &[f64]) -> f64 {
     left.iter().map(|part| part * part).sum::<f64>().sqrt()
 }

@@ -26,7 +26,7 @@ const ROUNDING: f64 = 3e-11;
 /// Forces that press less than the hardest by this part are as good as they are …
 const NEAR: f64 = 1e-6;
 
-/// … and so many steps of inverse iteration lead to some.
+/// … and the steps of inverse iteration.
 const STEPS: usize = 3;
 
 /// The pencil of a receptance.

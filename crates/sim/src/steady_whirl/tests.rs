@@ -8,7 +8,7 @@ use super::pencil::Pencil;
 use super::*;
 use crate::excitation::EccentricMass;
 
-/// Masses in a row, each held by a spring and a damper of its own and joined to the
+/// Masses in a row, each held by its own spring and damper and joined to the
 /// next; the wall touches the first.
 #[derive(Debug, Clone)]
 struct Masses {
@@ -346,7 +346,7 @@ fn no_whirl_needs_less_friction_than_the_least() {
 /// Between two resonances a string may press so little that it rolls at one rate only,
 /// with more friction than any wall has: no friction is then the least.
 #[test]
-fn whirl_that_needs_more_friction_than_any_wall_has_is_none() {
+fn whirl_that_needs_more_friction_than_any_wall_has_is_left_out() {
     let masses = Masses {
         masses: vec![1.3611630054943462, 7.11179948369521],
         grounds: vec![100.0; 2],
@@ -453,8 +453,8 @@ fn masses_that_all_touch_need_friction_against_their_damping() {
     assert!((29.7..=30.0).contains(&last), "{last}");
 }
 
-/// What several sites need, arccot λ, is nowhere nearer to what damping alone needs than two rates
-/// beside it say.
+/// The friction that several sites need, arccot λ, is nowhere nearer to that for damping alone than
+/// the bound from two rates next to it.
 #[test]
 fn the_hardest_is_bounded_between_two_rates() {
     let strategy = (
@@ -579,7 +579,7 @@ fn several_sites_of_which_there_is_one_need_what_it_needs() {
         let all = masses.all_on(&[wall]).least_friction([speed; 2]);
         let all = all.last().map(|whirl| whirl.least_friction);
         match (alone, all) {
-            // Less than any wall has is not told apart.
+            // Friction below that of any wall is not resolved.
             (Some(alone), Some(all)) => {
                 let near = (alone / all - 1.0).abs() < 0.02;
                 prop_assert!(near || alone.max(all) < 0.0202, "{alone} {all}");
@@ -602,10 +602,11 @@ fn no_rate_needs_less_friction_than_the_least_of_several_sites() {
         prop_assert!(found.is_sorted_by(|one, other| one.surface_speed < other.surface_speed));
         for step in 1..=4000 {
             let rate = fastest * f64::from(step) / 4000.0;
-            let told = found.iter().rev().find(|whirl| whirl.rate <= rate);
-            let told = told.map_or(MOST_FRICTION, |whirl| whirl.least_friction);
+            let reported = found.iter().rev().find(|whirl| whirl.rate <= rate);
+            let reported = reported.map_or(MOST_FRICTION, |whirl| whirl.least_friction);
             let ratio = masses.hardest(sites, rate).ratio();
-            prop_assert!(told < 0.0202 || ratio * told < 1.0101, "{rate} {ratio} {told}");
+            prop_assert!(reported < 0.0202 || ratio * reported < 1.0101, "{rate} {ratio} \
+                {reported}");
         }
         for whirl in &found {
             let ratio = masses.hardest(sites, whirl.rate).ratio();
@@ -614,8 +615,8 @@ fn no_rate_needs_less_friction_than_the_least_of_several_sites() {
     });
 }
 
-/// What whirl is found to balance does: the forces told bring about the displacements told, and
-/// obey the laws of the walls; and it needs no less friction than whirl can.
+/// A whirl that is found does balance: the reported forces cause the reported displacements, and
+/// obey the laws of the walls; and it needs no less friction than the bound.
 #[test]
 fn whirl_that_is_found_together_balances_every_force() {
     let found_with = |masses: &Masses, walls: &[Wall], speed: f64| {
@@ -641,9 +642,9 @@ fn whirl_that_is_found_together_balances_every_force() {
                 );
                 continue;
             };
-            let told = Complex64::from_polar(contact.radius, contact.phase);
+            let reported = Complex64::from_polar(contact.radius, contact.phase);
             assert!(
-                (displacement - told).norm() < 1e-6 * wall.clearance,
+                (displacement - reported).norm() < 1e-6 * wall.clearance,
                 "{found:?}"
             );
             let depth = (contact.normal_force / wall.stiffness).powf(2.0 / 3.0);

@@ -15,10 +15,10 @@ use super::MOST_FRICTION;
 use super::contacts::{Contacts, Rate, State};
 use super::many_sites::WhirlingSites;
 
-/// Up to so many sites all sets are tried; of more, neighbours, …
+/// Up to this number of sites all sets are tried; of more, neighbours, …
 const ALL_SETS: usize = 5;
 
-/// … of up to so many.
+/// … of up to this number.
 const NEIGHBOURS: usize = 3;
 
 /// Rates that are tried, evenly spaced up to the fastest.
@@ -35,12 +35,12 @@ pub struct WhirlTogether {
     /// The coefficient of friction at the speeds at which they slide.
     pub friction: f64,
     /// The sites that touch.
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<WhirlContact>,
 }
 
 /// A site that touches in steady backward whirl.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
+pub struct WhirlContact {
     /// The site.
     pub site: usize,
     /// Radius of the centre, m.
@@ -114,7 +114,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> WhirlingSites<H> {
                 None => distance *= 0.5,
             }
         }
-        let contact = |(index, site): (usize, &usize)| Contact {
+        let contact = |(index, site): (usize, &usize)| WhirlContact {
             site: *site,
             radius: best.touching[index].radius,
             phase: best.phases[index],

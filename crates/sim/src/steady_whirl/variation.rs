@@ -8,9 +8,8 @@
 //!
 //! So K maps this quarter of the plane into the upper half plane. By the lemma of
 //! Schwarz and Pick such a map lengthens no hyperbolic distance: two stiffnesses
-//! are never further apart than their rates. This holds for every string, whatever
-//! its tubes, its support or its compression, and bounds all that is asked of K
-//! between two rates by its values there.
+//! are never further apart than their rates. This holds for every string, with any tubes, support
+//! and compression, and bounds all that is asked of K between two rates by its values there.
 
 /// Rounding hides a smaller part of a stiffness than this.
 const LEAST_LOSS: f64 = 1e-9;

@@ -8,11 +8,11 @@ use serde::{Deserialize, Serialize};
 pub struct StringTorque {
     /// That torque, N m.
     pub peak_torque: f64,
-    /// The distance of the node that it was beside from the bit, m.
+    /// The distance from the bit of the node next to it, m.
     pub from_bit: f64,
 }
 
-/// Watches the torques beside all nodes step by step.
+/// Watches the torques next to all nodes step by step.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct StringTorqueWatch {
     peak_torque: f64,

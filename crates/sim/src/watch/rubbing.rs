@@ -1,5 +1,5 @@
-//! Whether a string that rubs along its well goes on as it does, so that a simulation may end
-//! before its time.
+//! Whether the motion of a string that rubs along its well will continue unchanged, so that a
+//! simulation may end before its time.
 
 use super::rules::{AGREEING_CYCLES, Rules};
 use super::torsion::{BitWatch, TorsionRegime};

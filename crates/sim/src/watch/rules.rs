@@ -18,9 +18,9 @@ pub struct Rules {
     /// A bit that turns for this part of what it remembers, in per cent, may turn for
     /// ever: a wave has come and gone several times.
     pub turning_for: usize,
-    /// Motion has settled if its measures, going on to change as they did lately, change
-    /// by no more than this until the end of the time: the radius in parts of the
-    /// clearance, the others of themselves.
+    /// Motion has settled if its measures, at their latest rate of change, change by no more than
+    /// this until the end of the time: the radius relative to the clearance, the others to
+    /// themselves.
     pub settling_tolerance: f64,
     /// Means of whirl are taken over this time, s.
     pub window: f64,
@@ -33,7 +33,7 @@ pub struct Rules {
 }
 
 impl Rules {
-    /// Those that the regimes of this program are told by.
+    /// Those by which this program classifies regimes.
     pub const USUAL: Rules = Rules {
         repeated: 3,
         mostly: 0.5,

@@ -1,4 +1,4 @@
-//! What the torque that turns the surface comes to.
+//! Measures of the torque that turns the surface.
 
 use serde::{Deserialize, Serialize};
 

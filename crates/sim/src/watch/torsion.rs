@@ -259,8 +259,8 @@ impl BitWatch {
         self.cycles.iter().map(|cycle| cycle.period).sum()
     }
 
-    /// Whether a slip has just begun that repeats the last ones, and goes on to,
-    /// changing as they did lately, until the end of the time.
+    /// Whether a slip has just begun that repeats the last ones, and, at their latest rate of
+    /// change, will do so until the end of the time.
     pub(crate) fn is_settled(&self) -> bool {
         let [first, second, last] = self.cycles;
         let is_whole = self.last_cycle.len() == last.period;

@@ -130,7 +130,7 @@ fn a_bit_cuts_at_no_site_above_it() {
     assert!(run(&simulator, &free).is_ok());
 }
 
-/// Walls need bending and one wall a site; what the responses have besides is no matter.
+/// Walls need bending and one wall a site; further responses do not matter.
 #[test]
 fn a_scene_that_does_not_fit_its_responses_is_refused() {
     let alone = Simulator::new(&torsion(&[0.0], vec![0])).unwrap();

@@ -69,11 +69,11 @@ const WALL: Wall = Wall {
     radius: 0.15,
 };
 
-/// Positions at the ends of steps: where a step's motion is taken `moment` of it before its
+/// Positions at the ends of steps: where a step's motion is taken `offset` of it before its
 /// end, it moves straight on to that.
-fn ends(trajectory: &Trajectory, moment: f64) -> Vec<[f64; 2]> {
+fn ends(trajectory: &Trajectory, offset: f64) -> Vec<[f64; 2]> {
     let ends = trajectory.positions[0].iter().scan([0.0; 2], |end, now| {
-        *end = [0, 1].map(|axis| (now[axis] - moment * end[axis]) / (1.0 - moment));
+        *end = [0, 1].map(|axis| (now[axis] - offset * end[axis]) / (1.0 - offset));
         Some(*end)
     });
     ends.collect()
@@ -125,7 +125,7 @@ fn val_rattling_for_ever_gains_no_energy() {
                 method.name(),
                 touches(&trajectory)
             );
-            let positions = ends(&trajectory, method.moment());
+            let positions = ends(&trajectory, method.collocation_offset());
             let (wall, all) = works(&trajectory, &positions);
             let fed_in = all
                 .iter()

@@ -19,7 +19,7 @@ const STIFFNESS: f64 = 4e4;
 const IMPEDANCE: f64 = 25.0;
 /// The shaft turns at this speed, rad/s.
 const SPEED: f64 = 3.0;
-/// A push along x that grows and wanes, and a knock across it, N s.
+/// A push along x that grows and wanes, and a short impulse across it, N s.
 const PUSH: Impulse = Impulse {
     site: 0,
     amount: 2000.0,
@@ -27,7 +27,7 @@ const PUSH: Impulse = Impulse {
     duration: 1.5,
     direction: 0.0,
 };
-const KNOCK: Impulse = Impulse {
+const SHORT: Impulse = Impulse {
     site: 0,
     amount: 50.0,
     start: 0.3,
@@ -93,7 +93,7 @@ fn contacts(sampling_frequency: f64, wall: Wall) -> Vec<Contact> {
         friction: Vec::new(),
         lateral: Some(Lateral {
             walls: vec![wall],
-            impulses: vec![PUSH, KNOCK],
+            impulses: vec![PUSH, SHORT],
             eccentric_masses: vec![],
         }),
         timing: Timing {
@@ -109,7 +109,7 @@ fn contacts(sampling_frequency: f64, wall: Wall) -> Vec<Contact> {
     contacts
 }
 
-/// Where the mass is across the push, at so many times a second: Newton's equations, an inertia
+/// Where the mass is across the push, at a number of times a second: Newton's equations, an inertia
 /// that the shaft turns within ten microseconds, and friction that stops what it would turn back.
 fn integrated(wall: &Wall, per_second: usize) -> Vec<f64> {
     const PARTS: usize = 5000;
@@ -120,7 +120,7 @@ fn integrated(wall: &Wall, per_second: usize) -> Vec<f64> {
     let mut places = vec![0.0];
     for step in 1..=steps {
         let time = step as f64 * dt;
-        let [push, knock] = [PUSH, KNOCK].map(|it| {
+        let [push, short] = [PUSH, SHORT].map(|it| {
             let part = ((time - it.start) / it.duration).clamp(0.0, 1.0);
             it.amount / it.duration * (1.0 - (std::f64::consts::TAU * part).cos())
         });
@@ -134,7 +134,7 @@ fn integrated(wall: &Wall, per_second: usize) -> Vec<f64> {
         };
         let slid = wall.radius * turning - vx * sin + vy * cos;
         vx += dt / MASS * (push - STIFFNESS * x - DAMPING * vx - normal * cos);
-        vy += dt / MASS * (-knock - STIFFNESS * y - DAMPING * vy - normal * sin);
+        vy += dt / MASS * (-short - STIFFNESS * y - DAMPING * vy - normal * sin);
         turning += dt / inertia * IMPEDANCE * (SPEED - turning);
         let slides = wall.radius * turning - vx * sin + vy * cos;
         let gives = dt * (wall.radius * wall.radius / inertia + 1.0 / MASS);
@@ -182,7 +182,7 @@ fn val_sliding_that_friction_may_shake_is_not_taken_as_settled() {
     let request = academic::lateral_request(&academic::string(), &[0.0], 10.0);
     let responses = linear::responses(&academic::string(), &Method::Quadrature, &request).unwrap();
     let simulator = Simulator::new(&responses).unwrap();
-    let ended = |friction: f64, dynamic_ratio: f64, [knock, eccentric]: [f64; 2]| {
+    let ended = |friction: f64, dynamic_ratio: f64, [short, eccentric]: [f64; 2]| {
         let wall = Wall {
             stiffness: 1e9,
             friction,
@@ -198,8 +198,8 @@ fn val_sliding_that_friction_may_shake_is_not_taken_as_settled() {
             lateral: Some(Lateral {
                 walls: vec![wall],
                 impulses: vec![Impulse {
-                    amount: knock,
-                    ..KNOCK
+                    amount: short,
+                    ..SHORT
                 }],
                 eccentric_masses: vec![EccentricMass {
                     site: 0,

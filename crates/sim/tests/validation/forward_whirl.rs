@@ -9,7 +9,7 @@ use linear::{
 use problems::academic::{self, BENDING};
 use problems::oracles::assert_close;
 use problems::wells::{Draw, Well};
-use sim::steady_whirl::{EccentricString, ForwardContacts, Touch};
+use sim::steady_whirl::{EccentricString, ForwardContacts, LowestTouch};
 use sim::{
     EccentricMass, Lateral, LateralMeasures, LateralRegime, Scene, SceneError, Simulator, Stopping,
     Timing, Wall,
@@ -122,7 +122,7 @@ fn val_no_touch_of_a_dense_scan_is_missed() {
             let is_clear = speed == until || !touches_at(speed, &eccentric);
             assert!(is_clear, "{number} {speed} {touch:?}");
         }
-        if let Some(Touch { surface_speed, .. }) = touch {
+        if let Some(LowestTouch { surface_speed, .. }) = touch {
             touches += 1;
             scanned += usize::from(surface_speed > slowest);
             let mut heavier = eccentric.clone();

@@ -132,7 +132,7 @@ impl Pushed {
         };
         let responses = responses(&string, &method, &request).unwrap();
         let taps = &responses.bending().unwrap().from_loads[0][0];
-        let sampling = Sampling::new(sampling_frequency, method.moment());
+        let sampling = Sampling::new(sampling_frequency, method.collocation_offset());
         let impulse = Impulse {
             site: 0,
             amount: 3.0 * least_impulse(taps, sampling, 0.02, CLEARANCE),
@@ -166,7 +166,7 @@ impl Pushed {
         outcome.unwrap().lateral().unwrap()
     }
 
-    /// The least friction with which whirl goes on.
+    /// The least friction with which whirl continues.
     fn limit(&self) -> f64 {
         limit([2.0, 1.0], |friction| {
             self.run(wall(1e9, friction)).regime == LateralRegime::BackwardWhirl

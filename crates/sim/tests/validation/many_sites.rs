@@ -83,8 +83,8 @@ fn wall(clearance: f64, radius: f64) -> Wall {
     }
 }
 
-/// A uniform string that goes round as a whole along all of the wall needs friction against
-/// its damping alone, c_b/(mω): what ever more sites come to.
+/// A uniform string that goes round as a whole along all of the wall needs friction against its
+/// damping alone, c_b/(mω): the limit for ever more sites.
 #[test]
 fn val_a_string_that_touches_all_along_needs_friction_against_its_damping() {
     let tube = Tube {
@@ -139,13 +139,13 @@ fn is_positive(mut matrix: Vec<f64>) -> bool {
     })
 }
 
-/// At no rate of a dense scan do forces press more than what is told allows for: −Im H over that
-/// friction, less 1 %, outweighs −Re H. Two to five sites, and as many as eighty.
-/// `STRINGS=400 cargo test --release -p sim --test validation dense` looks at more strings.
+/// At no rate of a dense scan do forces press more than the reported friction allows: −Im H over
+/// that friction, less 1 %, outweighs −Re H. Two to five sites, and as many as eighty. `STRINGS=400
+/// cargo test --release -p sim --test validation dense` looks at more strings.
 #[test]
 fn val_no_rate_of_a_dense_scan_needs_less_friction() {
     let strings = std::env::var("STRINGS").map_or(24, |count| count.parse().unwrap());
-    let mut looked_at = 0;
+    let mut examined = 0;
     for number in 0..strings {
         let mut shaken = Shaken::draw(number);
         if number % 4 == 3 {
@@ -161,7 +161,7 @@ fn val_no_rate_of_a_dense_scan_needs_less_friction() {
         if friction < 0.02 {
             continue;
         }
-        looked_at += 1;
+        examined += 1;
         for step in 1..=2000 {
             let rate = fastest * f64::from(step) / 2000.0;
             let receptance = network.at_rate(rate);
@@ -177,8 +177,8 @@ fn val_no_rate_of_a_dense_scan_needs_less_friction() {
             assert!(is_positive(matrix), "{number} {rate} {friction}");
         }
     }
-    println!("{looked_at} strings");
-    assert!(6 * looked_at >= 5 * strings, "{looked_at}");
+    println!("{examined} strings");
+    assert!(6 * examined >= 5 * strings, "{examined}");
 }
 
 /// Fig. 17: three sites of the paper's string whirl with friction down to 1.08.
@@ -282,7 +282,7 @@ impl Shaken {
         const CLOSING_WINDOW: f64 = 2.0;
         let problem = &self.problem;
         let count = problem.walls.len();
-        // What was set going without friction is long gone.
+        // Motion that was started without friction has long died away.
         let duration = 10.0 + 6.0 / problem.decay_rate();
         let request = Request {
             sites: problem.sites.clone(),

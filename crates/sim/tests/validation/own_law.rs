@@ -70,14 +70,14 @@ impl TorqueLaw for Own {
             })
         };
         let holding = -line.free_speed / line.compliance;
-        let goes_on = (*before != 0).then(|| turning(*before)).flatten();
+        let continues = (*before != 0).then(|| turning(*before)).flatten();
         let slips = || {
             let exceeds = holding.abs() > self.0.torque_static;
             exceeds
                 .then(|| turning(line.free_speed.signum() as i8))
                 .flatten()
         };
-        goes_on.or_else(slips).unwrap_or(TorqueStep {
+        continues.or_else(slips).unwrap_or(TorqueStep {
             torque: holding,
             speed: 0.0,
             state: 0,

@@ -1,5 +1,5 @@
-//! Laws of one's own in regimes, early end and trajectories: as the built-in ones where they are
-//! these in other words, and by closed forms where they are others.
+//! User-defined laws in regimes, early end and trajectories: as the built-in ones where they equal
+//! these, and by closed forms otherwise.
 
 use linear::{Method, Responses, SteadyMotion, steady};
 use problems::academic;

@@ -2,7 +2,7 @@
 //! does not, on random strings in random wells. `STRINGS=240 cargo test --release -p sim --test
 //! pieces -- --nocapture` prints the figures of the guide; here are fewer strings.
 
-use linear::well::{PressedBy, SideForce, WindingUp, least_pieces};
+use linear::well::{PressedBy, QuasiStaticTwist, SideForce, least_pieces};
 use linear::{Cascade, Drillstring, Method, Mud, Sites, estimates};
 use problems::wells::{Draw, Well};
 use sim::{PipeFriction, Scene, Simulator, Start, Stopping, SurfaceProfile, Timing, Trajectory};
@@ -13,7 +13,7 @@ const MOST_PIECES: usize = 2000;
 /// What is drawn of a number.
 struct Problem {
     string: Drillstring,
-    winding: WindingUp,
+    winding: QuasiStaticTwist,
     tolerance: f64,
     coefficient: f64,
     surface_speed: f64,
@@ -135,8 +135,8 @@ impl Problem {
         off.fold(0.0, f64::max) / self.break_off_torque()
     }
 
-    /// At which a wave passes no more than 30 of so many pieces in a step, and takes so many
-    /// steps at least to the bit, Hz.
+    /// At which a wave passes no more than 30 of the pieces in a step, and takes at least this
+    /// number of steps to the bit, Hz.
     fn frequency(&self, pieces: usize, steps: f64) -> f64 {
         let travel_time = estimates::torsional_travel_time(&self.string);
         steps.max(pieces as f64 / 30.0) / travel_time

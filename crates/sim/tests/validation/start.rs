@@ -1,4 +1,4 @@
-//! Validation of the steady motions that a case may begin with: they go on as a case from rest
+//! Validation of the steady motions that a case may begin with: they continue as a case from rest
 //! does whose start is long past.
 
 use linear::deviation::exact_undershoot;
@@ -97,7 +97,7 @@ fn off(late: &[f64], from: usize, motion: &[f64]) -> f64 {
     differences.fold(0.0, f64::max) / largest
 }
 
-fn assert_goes_on(problem: &Problem, late: &Trajectory, from: usize, begun: &Trajectory) {
+fn assert_continues(problem: &Problem, late: &Trajectory, from: usize, begun: &Trajectory) {
     let speeds = late.speeds.iter().zip(&begun.speeds);
     let torques = [
         (&late.bit_torque, &begun.bit_torque),
@@ -128,7 +128,7 @@ fn problems() -> impl Iterator<Item = Problem> {
 
 /// A bit that is held while the string winds up for a minute, and breaks loose.
 #[test]
-fn val_a_string_that_winds_up_steadily_goes_on_as_after_a_long_time_from_rest() {
+fn val_a_string_that_winds_up_steadily_continues_as_after_a_long_time_from_rest() {
     for problem in problems() {
         let mut stubborn = BIT;
         // It breaks loose after some LONG.
@@ -137,8 +137,8 @@ fn val_a_string_that_winds_up_steadily_goes_on_as_after_a_long_time_from_rest() 
         let slip = late.speeds[1].iter().position(|speed| *speed > 0.0);
         let slip = slip.expect("it breaks loose");
         let (held, before) = (late.bit_torque[slip - 1], late.bit_torque[slip - 2]);
-        let moment = problem.responses.method.moment();
-        let torque = -(held + (1.0 - moment) * (held - before));
+        let offset = problem.responses.method.collocation_offset();
+        let torque = -(held + (1.0 - offset) * (held - before));
         let start = winding(&problem.string, &problem.sites, SPEED, torque);
         let eager = BitTorque {
             // The first step is the one in which it breaks loose.
@@ -147,20 +147,20 @@ fn val_a_string_that_winds_up_steadily_goes_on_as_after_a_long_time_from_rest() 
         };
         let begun = problem.motion(Start::Steady(start), eager, COMPARED - 1.0);
         assert!(begun.speeds[1][0] > 0.0);
-        assert_goes_on(&problem, &late, slip, &begun);
+        assert_continues(&problem, &late, slip, &begun);
     }
 }
 
 /// A bit that has turned for a minute turns on.
 #[test]
-fn val_a_string_that_rotates_steadily_goes_on_as_after_a_long_time_from_rest() {
+fn val_a_string_that_rotates_steadily_continues_as_after_a_long_time_from_rest() {
     for problem in problems() {
         let late = problem.motion(Start::Rest, BIT, LONG);
         let from = (0.9 * LONG * 200.0) as usize;
         let start = rotation(&problem.string, &problem.sites, SPEED, BIT.torque_dynamic);
         let begun = problem.motion(Start::Steady(start), BIT, 0.09 * LONG);
         assert!((begun.speeds[1][0] / SPEED - 1.0).abs() < 1e-12);
-        assert_goes_on(&problem, &late, from, &begun);
+        assert_continues(&problem, &late, from, &begun);
     }
 }
 

@@ -133,7 +133,7 @@ fn val_a_mesh_that_is_stepped_moves_as_its_taps_do() {
     }
 }
 
-/// A bit that cuts beside its wall, a surface that rises to its speed, a light string.
+/// A bit that cuts next to its wall, a surface that rises to its speed, a light string.
 #[test]
 fn val_so_it_does_where_the_bit_cuts_too() {
     let sections = vec![

@@ -53,7 +53,7 @@ fn val_over_a_speed_of_nothing_it_falls_at_once() {
     assert_near(&measures(Method::Quadrature, 640.0, 1e-6), &at_once, 1e-9);
 }
 
-/// Friedlander's rule keeps to its branch whatever the step. (A torque that falls over a higher
+/// Friedlander's rule keeps to its branch at any step. (A torque that falls over a higher
 /// speed feeds high modes as well; by `held`, which damps none of them, the bit then chatters, the
 /// faster the shorter the step.)
 #[test]

@@ -144,7 +144,7 @@ fn val_pieces_one_by_one_are_the_whole_string() {
     }
 }
 
-/// Torques that do not fall: what turns the surface comes to the sum of all, and of the damping.
+/// Torques that do not fall: the torque at the surface tends to the sum of all, and of the damping.
 #[test]
 fn val_the_torque_that_keeps_it_turning_is_the_sum_of_all() {
     let string = pipes::row(200, 1.0);
@@ -195,9 +195,8 @@ fn peak_and_trough(torques: &[f64]) -> (f64, f64) {
 
 /// U. J. F. Aarsnes and R. J. Shor, "Torsional vibrations with bit off bottom: modeling,
 /// identification and field data validation", *Journal of Petroleum Science and Engineering*,
-/// 2018, Eqs. 38 and 39: a string that is wound up slowly slides when the torque has come to
-/// ∫F dx; where it is then turned faster and friction falls everywhere, the torque swings by
-/// twice that.
+/// 2018, Eqs. 38 and 39: a string that is wound up slowly slides when the torque has reached ∫F dx;
+/// where it is then turned faster and friction falls everywhere, the torque swings by twice that.
 #[test]
 fn val_a_string_breaks_loose_and_swings_by_twice_what_friction_falls() {
     // Damped as much as keeps a friction that falls a little from making it swing.
@@ -262,8 +261,8 @@ fn masses_and_springs(
     (torques, greatest)
 }
 
-/// R.m.s. error of the torque at the surface, of so many pieces at a sampling frequency, against
-/// masses and springs: a start in 3 s under friction that falls to half above a speed.
+/// R.m.s. error of the torque at the surface, of a number of pieces at a sampling frequency,
+/// against masses and springs: a start in 3 s under friction that falls to half above a speed.
 fn errors_of_start(total: f64, stribeck_speed: f64) -> Vec<f64> {
     let (length, damping, time) = (2000.0, 0.1, 15.0);
     let string = pipes::row(200, damping);
@@ -325,7 +324,7 @@ fn median(mut numbers: Vec<f64>) -> f64 {
 /// *Slip.* It breaks loose when the torque in it is F (1 − s/L) from the surface (s = 0) down.
 /// With r F (1 − s/L) it would slide on; what is more, (1 − r) F (1 − s/L), sets it in motion.
 /// With u how far a place then is ahead of sliding on, u″ = (1 − r) F/(GJ L) = a at first. Odd
-/// about the surface and even about the bit, u″ goes on as a square wave g of period 4L, and of
+/// about the surface and even about the bit, u″ continues as a square wave g of period 4L, and of
 /// that both ways comes ∂²u/∂t² = c² [g(s − ct) + g(s + ct)]/2: a place speeds up at c² a until
 /// t = s/c, keeps the speed c a s until t = (2L − s)/c, and slows down as it sped up. **All of
 /// the string stops at t = 2L/c**, half of a free period of 4L/c, the bit having reached

@@ -10,7 +10,7 @@ const LENGTH: f64 = 1000.0;
 const DAMPING: f64 = 0.5;
 const TIME: f64 = 12.0;
 
-/// Speed of the surface, and in how long it comes to that.
+/// Speed of the surface, and the time in which it is reached.
 const SPEED: f64 = 8.0;
 const RISE: f64 = 3.0;
 
@@ -67,7 +67,7 @@ fn error(method: Method, frequency: f64) -> f64 {
     let profile = SurfaceProfile::Rise(RISE);
     let surface = SurfaceTorque::new(&responses, &taps, &profile, 0.0).unwrap();
     let times: Vec<f64> = (0..(frequency * TIME) as usize)
-        .map(|step| (step as f64 + method.moment()) / frequency)
+        .map(|step| (step as f64 + method.collocation_offset()) / frequency)
         .collect();
     let of_site = |site| times.iter().map(|&time| torque_at(site, time)).collect();
     // Of a wall that touches at the bit, too, half of the torque.

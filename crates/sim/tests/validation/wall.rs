@@ -1,5 +1,5 @@
-//! The law of the wall, step by step: every answer obeys the laws of contact, and
-//! whatever the numbers are there is an answer or an error.
+//! The law of the wall, step by step: every answer obeys the laws of contact, and for any numbers
+//! there is an answer or an error.
 
 use proptest::prelude::*;
 use sim::laws::bit::BitMotion;
@@ -21,7 +21,7 @@ struct Arrival {
 }
 
 impl Arrival {
-    /// The speed under whatever else turns the site.
+    /// The speed under all else that turns the site.
     fn resisted(&self, free_speed: f64) -> f64 {
         let line = LoadLine {
             time: 0.0,
@@ -290,7 +290,7 @@ fn obeys(wall: &Wall, approach: &Arrival, tolerance: f64) -> Result<(), TestCase
     }
     prop_assert!((sliding - contact.sliding_speed).abs() <= most);
     let with_friction = sliding * contact.friction_ratio.signum();
-    // All the friction that there is at a speed known to within the same.
+    // All possible friction at a speed known to within the same.
     let [more, less] = [-most, most].map(|off| friction_at(wall, off - with_friction));
     let friction = contact.friction_ratio.abs();
     let rounding = tolerance * wall.friction + f64::MIN_POSITIVE;

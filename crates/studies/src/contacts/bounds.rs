@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 use linear::estimates::bending_decay_rate;
 
-use super::subject::Subject;
+use super::subject::StudiedString;
 use campaign::records::to_rpm;
 use limits::{WhirlMotion, many_sites_limit, whirl_limit};
 
@@ -20,11 +20,11 @@ pub struct Bounds {
     pub carried: f64,
 }
 
-/// The bounds of so many contacts.
+/// The bounds for a number of contacts.
 ///
 /// # Errors
 /// Where a contact is not on the string.
-pub fn bounds(subject: &Subject, count: usize) -> Result<Bounds> {
+pub fn bounds(subject: &StudiedString, count: usize) -> Result<Bounds> {
     let setting = subject.touching_at(&subject.range.even(count))?;
     let lateral = subject.lateral(&setting)?;
     let speed = (subject.conditions().surface_speed()).context("the surface has a speed")?;

@@ -1,23 +1,23 @@
 //! How much friction whirl needs where the string may touch at more and more contacts: simulated
-//! limits, with the bounds of the balance of forces beside them.
+//! limits, together with the bounds by the balance of forces.
 //!
-//! Contacts are at even distances within a range of the string, and what it is hit with is the
-//! same however many there are ([`Blow`]): a knock at one place, or a blow all along the range. A
-//! place that is hit and is no contact touches nothing. Whirl is what has that label at the end of
-//! the case and has gone round in its closing window.
+//! Contacts are at even distances within a range of the string, and the impulses are the same for
+//! any number of them ([`LateralImpulse`]): at one place, or all along the range. A place with an
+//! impulse but no contact touches nothing. A case whirls if it has that label at its end and has
+//! gone round in its closing window.
 
-mod blow;
 mod bounds;
+mod impulse;
 mod places;
 mod search;
 mod subject;
 mod touching;
 
-pub use blow::Blow;
 pub use bounds::Bounds;
+pub use impulse::LateralImpulse;
 pub use places::Range;
 pub use search::{HALVINGS, Least, SCANNED};
-pub use subject::{Subject, SubjectError};
+pub use subject::{StudiedString, StudiedStringError};
 pub use touching::Whirl;
 
 use anyhow::Result;
@@ -27,9 +27,9 @@ use bounds::bounds;
 use places::with_others;
 use touching::Touching;
 
-/// What was found of some contacts, a blow and a method.
+/// The result for a number of contacts, an impulse and a method.
 #[derive(Debug)]
-pub struct Row {
+pub struct LimitRow {
     /// Name of the string.
     pub string: String,
     /// The method.
@@ -40,8 +40,8 @@ pub struct Row {
     pub contacts: usize,
     /// Their distance, m.
     pub spacing: f64,
-    /// What the string was hit with.
-    pub blow: Blow,
+    /// The impulse on the string.
+    pub impulse: LateralImpulse,
     /// The least friction at which whirl lasts, or why it is not known.
     pub limit: Result<Least<Whirl>, String>,
     /// The share of the contacts that touch their wall for most of the closing window there.
@@ -51,36 +51,37 @@ pub struct Row {
 }
 
 /// Simulations that a string takes at most.
-pub fn simulations(subject: &Subject) -> usize {
-    let blows = subject.knocked_at.len() * subject.knocks.len() + subject.blows.len();
-    let limits = subject.counts.len() * subject.sweep.methods.len() * blows;
+pub fn simulations(subject: &StudiedString) -> usize {
+    let impulses = subject.struck_at.len() * subject.ratios.len() + subject.per_metre.len();
+    let limits = subject.counts.len() * subject.sweep.methods.len() * impulses;
     limits * (SCANNED + HALVINGS)
 }
 
-/// Studies a string; `tick` is told of every simulation.
+/// Studies a string; `tick` is called after every simulation.
 ///
 /// # Errors
 /// Where a method cannot treat it.
-pub fn study(subject: &Subject, tick: &(dyn Fn() + Sync)) -> Result<Vec<Row>> {
-    let (hit_places, blows) = (subject.hit_places(), subject.blows()?);
+pub fn study(subject: &StudiedString, tick: &(dyn Fn() + Sync)) -> Result<Vec<LimitRow>> {
+    let (hit_places, impulses) = (subject.hit_places(), subject.impulses()?);
     let mut rows = Vec::new();
     for &count in &subject.counts {
         let bounds = bounds(subject, count)?;
         for &method in &subject.sweep.methods {
-            // Knocks do without the sites of blows along the range, which cost time.
-            for (hit, blows) in hit_places.iter().zip(&blows) {
+            // Local impulses do not need the sites of distributed ones, which cost time.
+            for (hit, impulses) in hit_places.iter().zip(&impulses) {
                 let touching = Touching::build(subject, count, hit, method)?;
-                let limits = touching.limits(blows, tick);
-                for (blow, limit) in blows.iter().zip(limits) {
+                let limits = touching.limits(impulses, tick);
+                for (impulse, limit) in impulses.iter().zip(limits) {
                     let lasts = limit.as_ref().ok().and_then(|limit| limit.lasts);
-                    let share = lasts.map(|(friction, _)| touching.share_touching(blow, friction));
-                    rows.push(Row {
+                    let share =
+                        lasts.map(|(friction, _)| touching.share_touching(impulse, friction));
+                    rows.push(LimitRow {
                         string: subject.name.clone(),
                         method,
                         sampling_frequency: touching.sampling_frequency(),
                         contacts: count,
                         spacing: subject.range.length() / count as f64,
-                        blow: *blow,
+                        impulse: *impulse,
                         limit: limit.map_err(|error| error.to_string()),
                         share_touching: share.transpose()?,
                         bounds,
@@ -92,11 +93,11 @@ pub fn study(subject: &Subject, tick: &(dyn Fn() + Sync)) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Memory that a string takes at once on so many threads, bytes: an upper bound.
+/// Memory that a string takes at once on a number of threads, bytes: an upper bound.
 ///
 /// # Errors
 /// Where contacts are not on the string.
-pub fn memory(subject: &Subject, threads: usize) -> Result<f64> {
+pub fn memory(subject: &StudiedString, threads: usize) -> Result<f64> {
     let Some(&most) = subject.counts.iter().max() else {
         return Ok(0.0);
     };

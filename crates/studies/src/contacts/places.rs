@@ -18,8 +18,8 @@ impl Range {
         self.to - self.from
     }
 
-    /// Distances from the bit (m) of so many places at even distances, the first at the lower end
-    /// and the last as far below the upper end as any is below the next: twice as many are the
+    /// Distances from the bit (m) of a number of places at even distances, the first at the lower
+    /// end and the last as far below the upper end as any is below the next: twice as many are the
     /// same and one more between each two.
     pub fn even(&self, count: usize) -> Vec<f64> {
         let place = |index: usize| self.from + self.length() * (index as f64 / count as f64);

@@ -4,49 +4,48 @@ use anyhow::{Context, Result};
 use linear::Method;
 use thiserror::Error;
 
-use super::blow::Blow;
+use super::impulse::LateralImpulse;
 use super::places::Range;
 use campaign::accuracy::trial;
-use campaign::engine::{Case, MethodSystem, StringMemory};
+use campaign::engine::{Case, Recipe, StringMemory};
 use campaign::plan::{Conditions, ImpulseAmount, ImpulseSettings, LateralSettings, Setting, Sweep};
 use campaign::quantities::Axis;
 use campaign::sweep_file::SweepFileError;
 
-/// A blow lasts as long as those of the paper, s.
-const BLOW_DURATION: f64 = 0.02;
+/// Duration of an impulse, that of the paper, s.
+const IMPULSE_DURATION: f64 = 0.02;
 
-/// It begins so long after the surface has come to its speed, s.
-const BLOW_START: f64 = 1.0;
+/// Delay of the impulse after the surface has reached its speed, s.
+const IMPULSE_START: f64 = 1.0;
 
 /// Contacts are not nearer than this, m.
 const LEAST_SPACING: f64 = 0.01;
 
-/// More contacts than these are more than anybody waits for.
+/// More contacts would take too long.
 const MOST_CONTACTS: usize = 1000;
 
-/// Where contacts go without being told, m from the bit: the collars and the lower pipe of both
-/// strings.
+/// Where contacts end by default, m from the bit: the collars and the lower pipe of both strings.
 const USUAL_END: f64 = 200.0;
 
 /// A string of the study, and what is asked of it.
 #[derive(Debug, Clone)]
-pub struct Subject {
+pub struct StudiedString {
     /// Its name.
     pub name: String,
     /// The sweep whose string, wall and surface speed these are, and whose methods step it.
     pub sweep: Sweep,
-    /// What is given besides the file, and by its first case.
+    /// Values given in addition to the file, and those of its first case.
     pub values: Vec<(Axis, f64)>,
     /// Where contacts are.
     pub range: Range,
     /// Numbers of contacts.
     pub counts: Vec<usize>,
-    /// Where it is knocked, m from the bit.
-    pub knocked_at: Vec<f64>,
-    /// How hard, in multiples of I₀.
-    pub knocks: Vec<f64>,
-    /// How hard it is hit all along, N s per metre.
-    pub blows: Vec<f64>,
+    /// Places of local impulses, m from the bit.
+    pub struck_at: Vec<f64>,
+    /// Their amounts, in multiples of I₀.
+    pub ratios: Vec<f64>,
+    /// Amounts of distributed impulses, N s per metre.
+    pub per_metre: Vec<f64>,
     /// Time simulated, s, where it is not the file's.
     pub time: Option<f64>,
     /// Sampling frequency, Hz, where it is not the file's.
@@ -55,7 +54,7 @@ pub struct Subject {
 
 /// What is not asked of a string.
 #[derive(Debug, Error)]
-pub enum SubjectError {
+pub enum StudiedStringError {
     /// The range is not on the string.
     #[error("from {from} m to {to} m from the bit: the string has the places from 0 to {length} m")]
     OffString {
@@ -82,34 +81,34 @@ pub enum SubjectError {
         /// Length of the range, m.
         length: f64,
     },
-    /// A place to knock at is not on the string.
-    #[error("a knock {at} m from the bit: the string has the places from 0 to {length} m")]
-    KnockOffString {
+    /// The place of an impulse is not on the string.
+    #[error("an impulse {at} m from the bit: the string has the places from 0 to {length} m")]
+    ImpulseOffString {
         /// Where, m from the bit.
         at: f64,
         /// Its length, m.
         length: f64,
     },
-    /// Steps are too long for a blow.
-    #[error("{frequency} Hz: a blow of {BLOW_DURATION} s takes two samples at least")]
+    /// Steps are too long for an impulse.
+    #[error("{frequency} Hz: an impulse of {IMPULSE_DURATION} s takes two samples at least")]
     Sampling {
         /// Sampling frequency, Hz.
         frequency: f64,
     },
-    /// The case ends before the blow can have done anything.
-    #[error("{time} s: the blow begins at {start} s, and the last {window} s are judged")]
+    /// The case ends before the impulse can have done anything.
+    #[error("{time} s: the impulse begins at {start} s, and the last {window} s are judged")]
     Time {
         /// Time simulated, s.
         time: f64,
-        /// When the blow begins, s.
+        /// When the impulse begins, s.
         start: f64,
         /// What is judged, s.
         window: f64,
     },
 }
 
-impl Subject {
-    /// Where the range of contacts ends (m from the bit) without being told, on a sweep's string
+impl StudiedString {
+    /// Where the range of contacts ends by default (m from the bit), on a sweep's string
     /// with these values.
     ///
     /// # Errors
@@ -136,27 +135,27 @@ impl Subject {
         let values = self.values.iter().copied();
         let length = self.sweep.setting_with(values)?.string.length();
         if !(0.0 <= from && from < to && to <= length) {
-            return Err(SubjectError::OffString { from, to, length }.into());
+            return Err(StudiedStringError::OffString { from, to, length }.into());
         }
         for &count in &self.counts {
             let most = MOST_CONTACTS;
             if !(1..=most).contains(&count) {
-                return Err(SubjectError::Count { count, most }.into());
+                return Err(StudiedStringError::Count { count, most }.into());
             }
             let length = self.range.length();
             if length / (count as f64) < LEAST_SPACING {
-                return Err(SubjectError::TooNear { count, length }.into());
+                return Err(StudiedStringError::TooNear { count, length }.into());
             }
         }
-        for &at in &self.knocked_at {
+        for &at in &self.struck_at {
             if !(0.0..length).contains(&at) {
-                return Err(SubjectError::KnockOffString { at, length }.into());
+                return Err(StudiedStringError::ImpulseOffString { at, length }.into());
             }
         }
         let setting = self.touching_at(&[from])?;
         let frequency = setting.sampling_frequency;
-        if !frequency.is_finite() || frequency * BLOW_DURATION < 2.0 {
-            return Err(SubjectError::Sampling { frequency }.into());
+        if !frequency.is_finite() || frequency * IMPULSE_DURATION < 2.0 {
+            return Err(StudiedStringError::Sampling { frequency }.into());
         }
         self.lateral(&setting)?;
         self.duration(&setting)?;
@@ -198,15 +197,15 @@ impl Subject {
     /// What is simulated of each case, s.
     ///
     /// # Errors
-    /// Where that is too short for a blow to show what it does.
+    /// Where that is too short to show the effect of an impulse.
     pub fn duration(&self, setting: &Setting) -> Result<f64> {
         let timing = self.case(setting, 0.0)?.scene.timing;
-        let (time, start) = (timing.duration, blow_start(setting));
+        let (time, start) = (timing.duration, impulse_start(setting));
         let window = timing.closing_window;
         if time.is_finite() && time >= start + window {
             return Ok(time);
         }
-        let reason = SubjectError::Time {
+        let reason = StudiedStringError::Time {
             time,
             start,
             window,
@@ -232,50 +231,53 @@ impl Subject {
         (self.values.iter()).fold(conditions, |all, (axis, value)| all.with(*axis, *value))
     }
 
-    /// Where it is hit, m from the bit: by knocks, and by blows along the range.
+    /// Places of impulses, m from the bit: of local ones, and of those along the range.
     pub fn hit_places(&self) -> [Vec<f64>; 2] {
-        [self.knocked_at.clone(), Blow::places_along(&self.range)]
+        [
+            self.struck_at.clone(),
+            LateralImpulse::places_along(&self.range),
+        ]
     }
 
-    /// All that it is hit with: knocks, by their places, and blows along the range.
+    /// All impulses: local ones, by their places, and those along the range.
     ///
     /// # Errors
-    /// Where there is no I₀ to measure knocks by.
-    pub fn blows(&self) -> Result<[Vec<Blow>; 2]> {
-        let mut knocks = Vec::new();
-        for &from_bit in &self.knocked_at {
+    /// Where I₀, the unit of local impulses, is unknown.
+    pub fn impulses(&self) -> Result<[Vec<LateralImpulse>; 2]> {
+        let mut local = Vec::new();
+        for &from_bit in &self.struck_at {
             let least_impulse = self.least_impulse(from_bit)?;
-            let knock = |ratio: &f64| Blow::knock(from_bit, *ratio, least_impulse);
-            knocks.extend(self.knocks.iter().map(knock));
+            let of_ratio = |ratio: &f64| LateralImpulse::local(from_bit, *ratio, least_impulse);
+            local.extend(self.ratios.iter().map(of_ratio));
         }
         let range = self.range;
         let along = self
-            .blows
+            .per_metre
             .iter()
-            .map(|&per_metre| Blow::Along { per_metre, range });
-        Ok([knocks, along.collect()])
+            .map(|&per_metre| LateralImpulse::Distributed { per_metre, range });
+        Ok([local, along.collect()])
     }
 
-    /// I₀ of a place, N s: whatever else may touch, it is what brings a free string to the wall.
+    /// I₀ of a place, N s: what brings a string that touches nowhere else to the wall.
     fn least_impulse(&self, from_bit: f64) -> Result<f64> {
         let mut setting = self.touching_at(&[from_bit])?;
-        let start = blow_start(&setting);
+        let start = impulse_start(&setting);
         if let Some(lateral) = &mut setting.lateral {
-            lateral.impulses = vec![impulse(0, 0.0, start)];
+            lateral.impulses = vec![impulse_settings(0, 0.0, start)];
         }
         let method = self.sweep.methods.first().context("a sweep has a method")?;
-        // A free string swings out within seconds of the knock.
-        let system = MethodSystem::build(&setting, *method, false, start + 10.0)?;
+        // A free string reaches its largest displacement within seconds of the impulse.
+        let system = Recipe::alone(&setting, *method, false, start + 10.0).build()?;
         let least = system.least_impulses.first().copied();
         let least = least.filter(|least| least.is_finite());
-        least.with_context(|| format!("no knock {from_bit} m from the bit brings it to the wall"))
+        least.with_context(|| format!("no impulse {from_bit} m from the bit brings it to the wall"))
     }
 
-    /// Memory that a method takes with sites at these places on so many threads, bytes: an upper
-    /// bound.
+    /// Memory that a method takes with sites at these places on a number of threads, bytes: an
+    /// upper bound.
     ///
     /// # Errors
-    /// As [`Subject::touching_at`].
+    /// As [`StudiedString::touching_at`].
     pub fn memory(&self, places: &[f64], method: Method, threads: usize) -> Result<f64> {
         let setting = self.touching_at(places)?;
         let time = self.duration(&setting)?;
@@ -286,18 +288,18 @@ impl Subject {
     }
 }
 
-/// When a blow begins, s.
-pub fn blow_start(setting: &Setting) -> f64 {
-    setting.profile.rise() + BLOW_START
+/// When an impulse begins, s.
+pub fn impulse_start(setting: &Setting) -> f64 {
+    setting.profile.rise() + IMPULSE_START
 }
 
 /// An impulse on a site of this amount (N s) and beginning (s).
-pub fn impulse(site: usize, amount: f64, start: f64) -> ImpulseSettings {
+pub fn impulse_settings(site: usize, amount: f64, start: f64) -> ImpulseSettings {
     ImpulseSettings {
         site,
         amount: ImpulseAmount::NewtonSeconds(amount),
         start,
-        duration: BLOW_DURATION,
+        duration: IMPULSE_DURATION,
         direction: 0.0,
     }
 }

@@ -7,11 +7,11 @@ use linear::Method;
 use rayon::prelude::*;
 use sim::{LateralRegime, SimulationError, Stopping, Trajectory};
 
-use super::blow::Blow;
+use super::impulse::LateralImpulse;
 use super::places::{index_of, with_others};
 use super::search::{Least, scan};
-use super::subject::{Subject, blow_start, impulse};
-use campaign::engine::{Case, MethodSystem};
+use super::subject::{StudiedString, impulse_settings, impulse_start};
+use campaign::engine::{Case, MethodSystem, Recipe};
 
 /// Clearance of a place that is hit but is no contact, m: no string comes so far.
 const OUT_OF_REACH: f64 = 1e6;
@@ -34,19 +34,24 @@ pub struct Whirl {
 
 /// A string of the study with its contacts, ready to be hit.
 pub struct Touching<'a> {
-    subject: &'a Subject,
+    subject: &'a StudiedString,
     system: MethodSystem,
     /// Of each site from the surface down, whether it is a contact.
     is_contact: Vec<bool>,
 }
 
 impl<'a> Touching<'a> {
-    /// Builds a string with so many contacts, that may be hit at these places (m from the bit), by
-    /// a method.
+    /// Builds a string with a number of contacts, with impulses at these places (m from the bit),
+    /// by a method.
     ///
     /// # Errors
     /// Where the method cannot treat it.
-    pub fn build(subject: &'a Subject, count: usize, hit: &[f64], method: Method) -> Result<Self> {
+    pub fn build(
+        subject: &'a StudiedString,
+        count: usize,
+        hit: &[f64],
+        method: Method,
+    ) -> Result<Self> {
         let contacts = subject.range.even(count);
         let setting = subject.touching_at(&with_others(&contacts, hit))?;
         let distances = setting.sites.distances_from_bit().iter();
@@ -54,7 +59,7 @@ impl<'a> Touching<'a> {
         let is_contact = is_contact.collect();
         let time = subject.duration(&setting)?;
         Ok(Self {
-            system: MethodSystem::build(&setting, method, subject.sweep.bit.is_some(), time)?,
+            system: Recipe::alone(&setting, method, subject.sweep.bit.is_some(), time).build()?,
             subject,
             is_contact,
         })
@@ -65,11 +70,11 @@ impl<'a> Touching<'a> {
         self.system.setting.sampling_frequency
     }
 
-    /// The case of a blow at a friction.
-    fn case(&self, blow: &Blow, friction: f64) -> Result<Case> {
+    /// The case of an impulse at a friction.
+    fn case(&self, impulse: &LateralImpulse, friction: f64) -> Result<Case> {
         let setting = &self.system.setting;
         let mut case = self.subject.case(setting, friction)?;
-        let start = blow_start(setting);
+        let start = impulse_start(setting);
         let places = setting.sites.distances_from_bit();
         if let Some(lateral) = &mut case.scene.lateral {
             for (wall, is_contact) in lateral.walls.iter_mut().zip(&self.is_contact) {
@@ -77,16 +82,16 @@ impl<'a> Touching<'a> {
                     wall.clearance = OUT_OF_REACH;
                 }
             }
-            let impulses = blow.impulses().into_iter();
-            let at_sites = impulses.filter_map(|(place, amount)| {
-                Some(impulse(index_of(places, place)?, amount, start).with_amount(amount))
+            let by_place = impulse.by_place().into_iter();
+            let at_sites = by_place.filter_map(|(place, amount)| {
+                Some(impulse_settings(index_of(places, place)?, amount, start).with_amount(amount))
             });
             lateral.impulses = at_sites.collect();
         }
         Ok(case)
     }
 
-    /// The whirl that lasts to the end after a blow, if one does.
+    /// The whirl that lasts to the end after an impulse, if any does.
     fn whirl(&self, case: &Case) -> Result<Option<Whirl>, SimulationError> {
         let outcome = self.system.simulate(case, Stopping::Early, None)?;
         let window = case.scene.timing.closing_window;
@@ -102,39 +107,43 @@ impl<'a> Touching<'a> {
         }))
     }
 
-    /// The least friction at which whirl lasts after each blow, all of them at once; `tick` is
-    /// told of every simulation. A blow has no answer where one of its cases has none, or the method
-    /// chatters where a site sticks.
-    pub fn limits(&self, blows: &[Blow], tick: &(dyn Fn() + Sync)) -> Vec<Result<Least<Whirl>>> {
-        let seen = |blow: &Blow, friction: f64| -> Result<Option<Whirl>> {
+    /// The least friction at which whirl lasts after each impulse, all of them at once; `tick` is
+    /// called after every simulation. An impulse has no answer where one of its cases failed, or
+    /// the method chatters where a site sticks.
+    pub fn limits(
+        &self,
+        impulses: &[LateralImpulse],
+        tick: &(dyn Fn() + Sync),
+    ) -> Vec<Result<Least<Whirl>>> {
+        let seen = |impulse: &LateralImpulse, friction: f64| -> Result<Option<Whirl>> {
             if let Some(instability) = self.system.instability() {
                 bail!("{instability}");
             }
-            let whirl = self.whirl(&self.case(blow, friction)?)?;
+            let whirl = self.whirl(&self.case(impulse, friction)?)?;
             tick();
             Ok(whirl)
         };
         let frictions: Vec<f64> = scan().collect();
-        let cases: Vec<(usize, f64)> = (0..blows.len())
-            .flat_map(|blow| frictions.iter().map(move |friction| (blow, *friction)))
+        let cases: Vec<(usize, f64)> = (0..impulses.len())
+            .flat_map(|impulse| frictions.iter().map(move |friction| (impulse, *friction)))
             .collect();
         // Whirl takes longest, and there is most of it at the greatest friction.
         let scanned = cases.par_iter().rev().with_max_len(1);
-        let scanned = scanned.map(|(blow, friction)| seen(&blows[*blow], *friction));
+        let scanned = scanned.map(|(impulse, friction)| seen(&impulses[*impulse], *friction));
         let mut scanned: Vec<Result<Option<Whirl>>> = scanned.collect();
         scanned.reverse();
         let mut scanned = scanned.into_iter();
-        let mut of_blows = Vec::with_capacity(blows.len());
-        for blow in blows {
-            let of_blow = frictions.iter().zip(scanned.by_ref());
-            let of_blow: Result<Vec<_>> = of_blow
+        let mut by_impulse = Vec::with_capacity(impulses.len());
+        for impulse in impulses {
+            let of_impulse = frictions.iter().zip(scanned.by_ref());
+            let of_impulse: Result<Vec<_>> = of_impulse
                 .map(|(friction, whirl)| Ok((*friction, whirl?)))
                 .collect();
-            of_blows.push((blow, of_blow));
+            by_impulse.push((impulse, of_impulse));
         }
-        let found = of_blows.into_par_iter().with_max_len(1);
+        let found = by_impulse.into_par_iter().with_max_len(1);
         found
-            .map(|(blow, scanned)| Least::find(scanned?, |friction| seen(blow, friction)))
+            .map(|(impulse, scanned)| Least::find(scanned?, |friction| seen(impulse, friction)))
             .collect()
     }
 
@@ -143,8 +152,8 @@ impl<'a> Touching<'a> {
     ///
     /// # Errors
     /// Where the case gives no answer.
-    pub fn share_touching(&self, blow: &Blow, friction: f64) -> Result<f64> {
-        let case = self.case(blow, friction)?;
+    pub fn share_touching(&self, impulse: &LateralImpulse, friction: f64) -> Result<f64> {
+        let case = self.case(impulse, friction)?;
         let mut motion = Trajectory::default();
         (self.system).simulate(&case, Stopping::Full, Some(&mut motion))?;
         let window = case.scene.timing.closing_window * self.sampling_frequency();

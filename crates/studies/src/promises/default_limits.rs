@@ -16,7 +16,7 @@ use super::finder::{Finder, longest};
 use super::problem::{Begins, Motion, Problem};
 use super::{of_each, stick_slip};
 use campaign::accuracy::bisection::Truth;
-use campaign::engine::MethodSystem;
+use campaign::engine::Recipe;
 use campaign::plan::{Setting, Sweep};
 
 /// An exact limit tests others where it is known to this part of itself.
@@ -144,6 +144,6 @@ fn found(
 /// The limit of the sweep's method in a setting, rpm, nearest to a place.
 fn limit(problem: &Problem, sweep: &Sweep, setting: &Setting, place: f64) -> Result<Option<f64>> {
     let longest = longest(problem, sweep, place)?;
-    let system = MethodSystem::build_for(sweep, setting, sweep.methods[0], longest)?;
+    let system = Recipe::of(sweep, setting, sweep.methods[0], longest).build()?;
     Ok(Finder::by(problem, sweep, system).nearest(place))
 }

@@ -7,7 +7,7 @@ use super::problem::Problem;
 use campaign::accuracy::bisection::{WITHIN, bisected, geometric, nearest};
 use campaign::accuracy::is_inside;
 use campaign::accuracy::trial;
-use campaign::engine::MethodSystem;
+use campaign::engine::{MethodSystem, Recipe};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 
@@ -28,7 +28,7 @@ impl<'a> Finder<'a> {
     /// Where the method cannot treat the string.
     pub fn new(problem: &Problem, sweep: &'a Sweep, middle: f64) -> Result<Self> {
         let longest = longest(problem, sweep, middle)?;
-        let system = MethodSystem::build_for(sweep, &sweep.setting, sweep.methods[0], longest)?;
+        let system = Recipe::of(sweep, &sweep.setting, sweep.methods[0], longest).build()?;
         Ok(Self::by(problem, sweep, system))
     }
 

@@ -12,7 +12,7 @@ use super::{of_each, stick_slip, whirl};
 use crate::stick_slip::exact;
 use campaign::accuracy::is_inside;
 use campaign::accuracy::trial;
-use campaign::engine::{self, MethodSystem, RunOptions};
+use campaign::engine::{self, MethodSystem, Recipe, RunOptions};
 use campaign::plan::Sweep;
 use campaign::records::{Record, certified};
 
@@ -57,7 +57,7 @@ impl Tested {
     }
 }
 
-/// Tests the labels of cases of so many strings for each motion; `done` is called after each
+/// Tests the labels of cases of a number of strings for each motion; `done` is called after each
 /// string.
 ///
 /// # Errors
@@ -99,7 +99,7 @@ fn of_string(problem: &Problem, draw: &mut Draw) -> Result<Vec<Tested>> {
     let longest = longest(problem, &sweep, limit)?;
     let systems = (sweep.methods.iter().enumerate())
         .map(|(place, method)| {
-            let system = MethodSystem::build_for(&sweep, &sweep.setting, *method, longest)?;
+            let system = Recipe::of(&sweep, &sweep.setting, *method, longest).build()?;
             system.with_finer(&sweep, place, longest)
         })
         .collect::<Result<Vec<_>>>()?;

@@ -1,4 +1,4 @@
-//! Promises of accuracy put to the test: strings nobody tuned to, drawn at random, each
+//! Promises of accuracy put to the test: random strings, to which nothing was tuned, each
 //! with a limit of stick-slip or of whirl; an accuracy is asked for, and the limit by what
 //! is chosen compared with one that no reference of the choice has a part in.
 
@@ -65,9 +65,8 @@ impl Promise {
         Some(kept.limit.map_or(f64::INFINITY, error))
     }
 
-    /// The error in parts of what was asked for, whatever the true limit is within its own
-    /// uncertainty: a broken promise is above one. `None` where the true limit is not known
-    /// well enough to say.
+    /// The error relative to what was asked for, for any true limit within its uncertainty: a
+    /// broken promise is above one. `None` where the true limit is not known well enough to say.
     pub fn broken_by(&self) -> Option<f64> {
         let uncertainty = self.truth.as_ref().ok()?.uncertainty;
         let broken_by = (self.error()? - uncertainty).max(0.0) / self.asked;
@@ -75,7 +74,7 @@ impl Promise {
     }
 }
 
-/// Puts all accuracies to so many strings for each motion; `done` is called after each
+/// Tests all accuracies on a number of strings for each motion; `done` is called after each
 /// string.
 ///
 /// # Errors
@@ -92,7 +91,7 @@ pub fn run(
     })
 }
 
-/// What comes of so many strings for each motion, one after the other.
+/// The results of a number of strings for each motion, one after the other.
 fn of_each<Found: Clone + Send>(
     motions: &[Motion],
     strings: usize,

@@ -97,7 +97,7 @@ impl Problem {
     /// The problem of a number.
     ///
     /// # Errors
-    /// Where its string is none, or has no undershoot to guess a limit from.
+    /// Where its string is invalid, or has no undershoot to guess a limit from.
     pub fn draw(motion: Motion, number: usize, seed: u64) -> Result<Self> {
         let stream = 2 * number as u64 + u64::from(motion == Motion::Whirl);
         let mut draw = Draw::new(seed, stream);

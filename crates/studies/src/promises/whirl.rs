@@ -8,7 +8,7 @@ use linear::{ChannelRequest, Method, Request, Responses};
 use super::finder::{Finder, HALVED, longest};
 use super::problem::Problem;
 use campaign::accuracy::bisection::Truth;
-use campaign::engine::{MethodSystem, Stopwatch};
+use campaign::engine::{MethodSystem, Recipe, Stopwatch};
 use campaign::plan::Sweep;
 
 /// Sampling frequencies, Hz, each twice the one before.
@@ -40,7 +40,9 @@ pub fn truth(problem: &Problem) -> Result<Truth> {
 /// Quadrature in bending, held torques in torsion.
 pub fn system(sweep: &Sweep, longest: f64) -> Result<MethodSystem> {
     let (setting, begun) = (&sweep.setting, Stopwatch::start());
-    let bending = MethodSystem::build_for(sweep, setting, Method::Quadrature, longest)?.responses;
+    let bending = Recipe::of(sweep, setting, Method::Quadrature, longest)
+        .build()?
+        .responses;
     let torques = (0..setting.sites.len()).collect();
     let request = Request {
         sites: setting.sites.clone(),

@@ -11,10 +11,10 @@ use linear::{Drillstring, Method, Section};
 use super::families::{Approach, Cell};
 use super::verdict::Findings;
 use crate::scenes::shipped;
-use campaign::engine::MethodSystem;
+use campaign::engine::Recipe;
 
-/// When the displacement after an impulse is looked at, s.
-const LOOKED_AT: f64 = 9.0;
+/// When the displacement after an impulse is compared, s.
+const COMPARED_AT: f64 = 9.0;
 
 /// The frequency at which chains are compared, Hz: within the band, and high
 /// enough that waves in bending are short.
@@ -24,7 +24,7 @@ const CHAIN_FREQUENCY: f64 = 100.0;
 /// quadrature.
 pub fn tail(cell: &Cell, method: Method) -> Result<Findings> {
     let setting = (shipped("fig12.toml")?.setting).sampled_at(cell.sampling_frequency);
-    let build = |method| MethodSystem::build(&setting, method, false, LOOKED_AT);
+    let build = |method| Recipe::alone(&setting, method, false, COMPARED_AT).build();
     let (found, reference) = (build(method)?, build(Method::Quadrature)?);
     let [found_last, true_last] = [&found, &reference].map(|system| {
         let taps = (system.responses.bending()).and_then(|bending| bending.taps_between(0, 0));

@@ -7,7 +7,7 @@ use super::families::Cell;
 use super::verdict::Findings;
 use crate::scenes::shipped;
 use crate::stick_slip;
-use campaign::engine::MethodSystem;
+use campaign::engine::Recipe;
 use campaign::plan::Sweep;
 
 /// The string, where its limit is looked for, and where it is by exact waves, rpm.
@@ -39,7 +39,7 @@ impl Joints {
         let Self { sweep, bracket, .. } = self;
         let setting = sweep.setting.sampled_at(cell.sampling_frequency);
         let longest = stick_slip::longest_time(sweep, *bracket)?;
-        let system = MethodSystem::build_for(sweep, &setting, method, longest)?;
+        let system = Recipe::of(sweep, &setting, method, longest).build()?;
         let limit = stick_slip::limit_near(sweep, &system, self.exact);
         Ok(Findings {
             margin_torsion: system.torsion_margin,

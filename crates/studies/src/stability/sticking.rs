@@ -10,7 +10,7 @@ use super::loads;
 use super::verdict::Findings;
 use crate::scenes::shipped;
 use campaign::accuracy::trial::outcome;
-use campaign::engine::MethodSystem;
+use campaign::engine::Recipe;
 use campaign::plan::{Setting, Sweep};
 
 /// The bit is held for this time, s, as long as Fig. 8(b) is simulated: every
@@ -28,7 +28,7 @@ pub fn examine(cell: &Cell, method: Method) -> Result<Findings> {
     let settled = SETTLING_TIMES * torsional_settling_time(&setting.string);
     let by_scene = (HELD_FOR.max(settled) * cell.sampling_frequency) as usize;
     let longest = cell.steps.unwrap_or(by_scene) as f64 / cell.sampling_frequency;
-    let system = MethodSystem::build(&setting, method, true, longest)?;
+    let system = Recipe::alone(&setting, method, true, longest).build()?;
     let no_bit = "the scene has no torque at the bit";
     let held = system.stuck_torque().context(no_bit)?;
     let instant = system.driving_point().context(no_bit)?[0];

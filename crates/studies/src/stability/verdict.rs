@@ -83,8 +83,8 @@ impl Symptom {
 }
 
 impl Findings {
-    /// Whether the margins predict that the cell is stable; `None` where there
-    /// is no margin, or it says nothing of what is looked at.
+    /// Whether the margins predict that the cell is stable; `None` where there is no margin, or it
+    /// does not cover what is examined.
     pub fn predicted_stable(&self) -> Option<bool> {
         let margins = [self.margin_torsion, self.margin_bending];
         let smallest = margins.into_iter().flatten().reduce(f64::min);
@@ -137,7 +137,7 @@ pub fn explanation(cell: &Cell, findings: &Findings) -> Option<String> {
     } else if is_wrong && cell.approach == Approach::TransferProducts {
         "only the growing wave is left in the products"
     } else if is_wrong && cell.family == Family::Joints {
-        "steps longer than a joint smear what it sends back, or fronts overshoot"
+        "steps longer than a joint smear its echo, or fronts overshoot"
     } else if is_wrong && matches!(cell.approach, Approach::Method(_)) {
         "the response near zero frequency is narrower than the frequency step"
     } else if findings.is_right() == Some(false) && meets_differences && is_rigid {

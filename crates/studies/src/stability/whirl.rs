@@ -11,7 +11,7 @@ use super::loads;
 use super::verdict::Findings;
 use crate::scenes::shipped;
 use campaign::accuracy::trial::case;
-use campaign::engine::{Case, MethodSystem};
+use campaign::engine::{Case, Recipe};
 use campaign::plan::{Setting, Sweep};
 use campaign::quantities::Axis;
 use limits::rolling_whirls;
@@ -33,7 +33,7 @@ pub fn examine(group: &[Cell], method: Method) -> Result<Vec<Findings>> {
     if let Some(steps) = first.steps {
         duration = steps as f64 / first.sampling_frequency;
     }
-    let system = MethodSystem::build(&setting, method, false, duration)?;
+    let system = Recipe::alone(&setting, method, false, duration).build()?;
     let worst_loads = loads::worst(&system)?;
     (group.iter())
         .map(|cell| {

@@ -23,7 +23,7 @@ const HALVED: f64 = 1e-3;
 /// within the square: one that has been held may stick further above.
 const WITHIN: f64 = 2.0;
 
-/// A held bit breaks loose in the first step, whatever the rounding.
+/// A held bit breaks loose in the first step, with any rounding.
 const BROKEN_LOOSE: f64 = 1.0 + 1e-9;
 
 /// Recaptures that make stick-slip, as in the regimes of the program.

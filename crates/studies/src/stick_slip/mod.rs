@@ -61,7 +61,7 @@ pub fn limit_near(sweep: &Sweep, system: &MethodSystem, place: f64) -> Option<f6
 
 /// Whether the bit does not stick again and again at a surface speed, rpm.
 fn is_smooth(sweep: &Sweep, system: &MethodSystem, speed: f64) -> Option<bool> {
-    let sweep = until_regime_is_told(sweep);
+    let sweep = until_regime_is_decided(sweep);
     let conditions = sweep.conditions.with(Axis::SurfaceSpeedRpm, speed);
     let outcome = trial::outcome(&sweep, system, &conditions, Stopping::Early).ok()?;
     Some(outcome.torsion()?.regime == TorsionRegime::Smooth)
@@ -72,7 +72,7 @@ fn is_smooth(sweep: &Sweep, system: &MethodSystem, speed: f64) -> Option<bool> {
 /// # Errors
 /// Where the bit has no torque.
 pub fn longest_time(sweep: &Sweep, bracket: [f64; 2]) -> Result<f64> {
-    let sweep = until_regime_is_told(sweep);
+    let sweep = until_regime_is_decided(sweep);
     let mut longest = 0.0f64;
     for speed in bracket {
         let conditions = sweep.conditions.with(Axis::SurfaceSpeedRpm, speed);
@@ -82,7 +82,7 @@ pub fn longest_time(sweep: &Sweep, bracket: [f64; 2]) -> Result<f64> {
     Ok(longest)
 }
 
-fn until_regime_is_told(sweep: &Sweep) -> Sweep {
+fn until_regime_is_decided(sweep: &Sweep) -> Sweep {
     Sweep {
         time: AutoOr::Auto,
         ..sweep.clone()

@@ -2,9 +2,9 @@
 //! configuration that is good enough.
 
 use super::configuration::Paper;
-use super::measure::{Measure, Subject};
+use super::measure::{Measure, MeasureSubject};
 use super::paper::PaperSteps;
-use super::row::{Row, cost};
+use super::row::{TradeoffRow, cost};
 
 /// An error this close to its reference's uncertainty says nothing of the method.
 const ABOVE_UNCERTAINTY: f64 = 4.0;
@@ -24,8 +24,8 @@ const ROUNDING: f64 = 1e-7;
 
 /// The rows of one measure that no other beats in both cost and error, cheapest
 /// first, with the errors that they are sure not to exceed.
-pub fn front(rows: &[Row], measure: Measure) -> Vec<(&Row, f64)> {
-    let mut known: Vec<(&Row, f64)> = (rows.iter())
+pub fn front(rows: &[TradeoffRow], measure: Measure) -> Vec<(&TradeoffRow, f64)> {
+    let mut known: Vec<(&TradeoffRow, f64)> = (rows.iter())
         .filter(|row| row.measure == measure)
         .map(|row| (row, certain(rows, row)))
         .filter(|(_, error)| error.is_finite())
@@ -44,11 +44,11 @@ pub fn front(rows: &[Row], measure: Measure) -> Vec<(&Row, f64)> {
 /// a larger one, and none is smaller than the next coarser step allows, for an error
 /// that passes through zero by chance promises nothing; and the reference may be off
 /// by its uncertainty.
-fn certain(rows: &[Row], row: &Row) -> f64 {
+fn certain(rows: &[TradeoffRow], row: &TradeoffRow) -> f64 {
     let title = row.configuration.title();
-    let frequency = |row: &Row| row.configuration.sampling_frequency;
-    let error = |row: &Row| row.error.unwrap_or(f64::INFINITY);
-    let (finer, coarser): (Vec<&Row>, Vec<&Row>) = (rows.iter())
+    let frequency = |row: &TradeoffRow| row.configuration.sampling_frequency;
+    let error = |row: &TradeoffRow| row.error.unwrap_or(f64::INFINITY);
+    let (finer, coarser): (Vec<&TradeoffRow>, Vec<&TradeoffRow>) = (rows.iter())
         .filter(|other| other.measure == row.measure && other.configuration.title() == title)
         .partition(|other| frequency(other) >= frequency(row));
     let largest = finer.iter().map(|row| error(row)).fold(0.0, f64::max);
@@ -73,12 +73,12 @@ pub struct Order {
 
 /// Observed orders, fitted to the last rungs before the error no longer falls, where
 /// it falls regularly.
-pub fn orders(rows: &[Row], measure: Measure) -> Vec<Order> {
-    let known: Vec<&Row> = rows.iter().filter(|row| row.measure == measure).collect();
+pub fn orders(rows: &[TradeoffRow], measure: Measure) -> Vec<Order> {
+    let known: Vec<&TradeoffRow> = rows.iter().filter(|row| row.measure == measure).collect();
     // The rungs of a ladder follow one another.
     let ladders =
         known.chunk_by(|one, next| one.configuration.title() == next.configuration.title());
-    let order_of = |ladder: &[&Row]| {
+    let order_of = |ladder: &[&TradeoffRow]| {
         let mut points: Vec<(f64, f64)> = (ladder.iter())
             .map_while(|row| {
                 let least = (ABOVE_UNCERTAINTY * row.reference.uncertainty).max(ROUNDING);
@@ -126,7 +126,7 @@ pub struct Cheapest<'a> {
     /// The accuracy asked for.
     pub accuracy: f64,
     /// The row, where there is one.
-    pub row: Option<&'a Row>,
+    pub row: Option<&'a TradeoffRow>,
     /// How many times dearer the paper's filters are, and its elements.
     pub paper: [Option<PaperRatio>; 2],
 }
@@ -142,7 +142,7 @@ pub struct PaperRatio {
 
 /// The cheapest configuration that is sure to be within an accuracy.
 pub fn cheapest<'a>(
-    rows: &'a [Row],
+    rows: &'a [TradeoffRow],
     steps: &PaperSteps,
     measure: Measure,
     accuracy: f64,
@@ -151,7 +151,7 @@ pub fn cheapest<'a>(
     let row = known()
         .filter(|row| certain(rows, row) <= accuracy)
         .min_by(|one, other| one.cost().total_cmp(&other.cost()));
-    let scene = usize::from(measure.subject() == Subject::Bending);
+    let scene = usize::from(measure.subject() == MeasureSubject::Bending);
     let dearer = |paper, step_seconds: f64| {
         let paper = known().find(|row| row.configuration.paper() == Some(paper))?;
         Some(PaperRatio {
@@ -178,8 +178,8 @@ mod tests {
     use super::super::row::Reference;
     use super::*;
 
-    fn row(sampling_frequency: f64, error: f64, step_seconds: f64) -> Row {
-        Row {
+    fn row(sampling_frequency: f64, error: f64, step_seconds: f64) -> TradeoffRow {
+        TradeoffRow {
             measure: Measure::FirstSlip,
             configuration: Configuration {
                 scheme: Scheme::Method(Method::Quadrature),
@@ -197,9 +197,9 @@ mod tests {
     }
 
     /// An error of the second order, but for one that is zero by chance.
-    fn second_order() -> Vec<Row> {
+    fn second_order() -> Vec<TradeoffRow> {
         let rungs = [80.0, 160.0, 320.0, 640.0];
-        let mut rows: Vec<Row> = rungs
+        let mut rows: Vec<TradeoffRow> = rungs
             .iter()
             .map(|rung| row(*rung, 400.0 / (rung * rung), 1e-6 * rung))
             .collect();

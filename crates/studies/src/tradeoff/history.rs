@@ -99,7 +99,7 @@ impl History {
         Ok((build_seconds, self.greatest_error(&found, frequency, 1)))
     }
 
-    /// The response by some taps to the input, looked at `place` steps late.
+    /// The response by some taps to the input, read `place` steps late.
     fn response(&self, taps: &[f64], frequency: f64, place: f64) -> Vec<f64> {
         let time = |step: usize| (step as f64 + place) / frequency;
         let count = thinned(&self.values, self.stride(frequency)).len();

@@ -41,7 +41,7 @@ pub enum Measure {
 
 /// What a measure is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Subject {
+pub enum MeasureSubject {
     /// The paper's string in torsion.
     Torsion,
     /// The paper's string in bending.
@@ -92,15 +92,15 @@ impl Measure {
     }
 
     /// What it is of.
-    pub fn subject(self) -> Subject {
+    pub fn subject(self) -> MeasureSubject {
         if self < Measure::LateralImpulse {
-            Subject::Torsion
+            MeasureSubject::Torsion
         } else if self < Measure::TubeUndershoot {
-            Subject::Bending
+            MeasureSubject::Bending
         } else if self < Measure::JointedUndershoot {
-            Subject::Tube
+            MeasureSubject::Tube
         } else {
-            Subject::Jointed
+            MeasureSubject::Jointed
         }
     }
 

@@ -21,9 +21,9 @@ pub use analysis::{Cheapest, PaperRatio, cheapest, front, orders};
 pub use configuration::{Configuration, configurations};
 pub use measure::Measure;
 pub use paper::PaperSteps;
-pub use row::{CASE_SECONDS, CASES, Row};
+pub use row::{CASE_SECONDS, CASES, TradeoffRow};
 
-use measure::Subject;
+use measure::MeasureSubject;
 use part::Part;
 
 /// Sampling frequencies compared, Hz.
@@ -41,15 +41,15 @@ pub fn study(
     configurations: &[Configuration],
     wanted: &[Measure],
     tell: &dyn Fn(),
-) -> Result<Vec<Row>> {
+) -> Result<Vec<TradeoffRow>> {
     let frequencies = configurations.iter().map(|one| one.sampling_frequency);
     let highest = frequencies.fold(0.0, f64::max);
     let mut parts: Vec<Part> = Vec::new();
     for subject in [
-        Subject::Torsion,
-        Subject::Bending,
-        Subject::Tube,
-        Subject::Jointed,
+        MeasureSubject::Torsion,
+        MeasureSubject::Bending,
+        MeasureSubject::Tube,
+        MeasureSubject::Jointed,
     ] {
         let of_subject = |measure: &Measure| measure.subject() == subject;
         let wanted: Vec<Measure> = wanted.iter().copied().filter(of_subject).collect();
@@ -57,10 +57,10 @@ pub fn study(
             continue;
         }
         match subject {
-            Subject::Torsion => parts.push(torsion::part(&wanted, highest)?),
-            Subject::Bending => parts.push(lateral::part(&wanted, highest)?),
-            Subject::Tube => parts.extend(tube::parts(&wanted)?),
-            Subject::Jointed => parts.push(jointed::part(&wanted)?),
+            MeasureSubject::Torsion => parts.push(torsion::part(&wanted, highest)?),
+            MeasureSubject::Bending => parts.push(lateral::part(&wanted, highest)?),
+            MeasureSubject::Tube => parts.extend(tube::parts(&wanted)?),
+            MeasureSubject::Jointed => parts.push(jointed::part(&wanted)?),
         }
     }
     let mut rows = Vec::new();

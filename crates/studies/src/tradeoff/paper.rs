@@ -65,7 +65,7 @@ impl PaperSteps {
     }
 }
 
-/// Time of so many steps as a simulated second has, s.
+/// Time of the steps of one simulated second, s.
 fn per_second(mut step: impl FnMut()) -> f64 {
     let start = Instant::now();
     for _ in 0..STEPS {

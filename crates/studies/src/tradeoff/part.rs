@@ -10,9 +10,9 @@ use sim::{Outcome, Stopping};
 use super::configuration::{Configuration, Scheme};
 use super::history::History;
 use super::measure::Measure;
-use super::row::{Reference, Row, extrapolated};
+use super::row::{Reference, TradeoffRow, extrapolated};
 use campaign::accuracy::trial;
-use campaign::engine::{Case, MethodSystem};
+use campaign::engine::{Case, MethodSystem, Recipe};
 use campaign::plan::Sweep;
 
 /// A timing is the best of this many.
@@ -65,7 +65,7 @@ impl Part {
 
     fn system(&self, method: Method, sampling_frequency: f64) -> Result<MethodSystem> {
         let setting = self.sweep.setting.sampled_at(sampling_frequency);
-        MethodSystem::build_for(&self.sweep, &setting, method, self.longest)
+        Recipe::of(&self.sweep, &setting, method, self.longest).build()
     }
 
     /// Some measures by a method, for references.
@@ -120,7 +120,11 @@ impl Part {
     ///
     /// # Errors
     /// Where its responses cannot be built.
-    pub fn measure(&self, configuration: &Configuration, rows: &mut Vec<Row>) -> Result<()> {
+    pub fn measure(
+        &self,
+        configuration: &Configuration,
+        rows: &mut Vec<TradeoffRow>,
+    ) -> Result<()> {
         match configuration.scheme {
             Scheme::Method(method) => self.by_method(configuration, method, rows),
             Scheme::Radau => self.by_radau(configuration, rows),
@@ -131,7 +135,7 @@ impl Part {
         &self,
         configuration: &Configuration,
         method: Method,
-        rows: &mut Vec<Row>,
+        rows: &mut Vec<TradeoffRow>,
     ) -> Result<()> {
         let configuration = Configuration {
             sampling_frequency: self.fitted_frequency(configuration.sampling_frequency),
@@ -149,7 +153,7 @@ impl Part {
                     (value, error)
                 }
             };
-            rows.push(Row {
+            rows.push(TradeoffRow {
                 measure,
                 configuration,
                 value,
@@ -163,7 +167,7 @@ impl Part {
     }
 
     /// Radau quadrature simulates nothing: only a history can be compared.
-    fn by_radau(&self, configuration: &Configuration, rows: &mut Vec<Row>) -> Result<()> {
+    fn by_radau(&self, configuration: &Configuration, rows: &mut Vec<TradeoffRow>) -> Result<()> {
         let Some((measure, history)) = &self.history else {
             return Ok(());
         };
@@ -176,7 +180,7 @@ impl Part {
         let quadrature = quadrature.context("quadrature is measured first")?;
         let step_seconds = RADAU_SUMS * quadrature.step_seconds;
         let (build_seconds, error) = history.by_radau(frequency)?;
-        rows.push(Row {
+        rows.push(TradeoffRow {
             measure: *measure,
             configuration: *configuration,
             value: None,

@@ -3,7 +3,7 @@
 use super::configuration::Configuration;
 use super::measure::Measure;
 
-/// Costs are those of a sweep of so many cases.
+/// Costs are those of a sweep with this number of cases.
 pub const CASES: f64 = 1000.0;
 /// Seconds simulated of each case.
 pub const CASE_SECONDS: f64 = 10.0;
@@ -43,7 +43,7 @@ pub fn extrapolated(coarse: f64, fine: f64, order: i32) -> f64 {
 
 /// One configuration and one measure.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct TradeoffRow {
     /// Which measure.
     pub measure: Measure,
     /// Which configuration.
@@ -60,7 +60,7 @@ pub struct Row {
     pub step_seconds: f64,
 }
 
-impl Row {
+impl TradeoffRow {
     /// Time for a sweep of [`CASES`] cases on one core, build included, s.
     pub fn cost(&self) -> f64 {
         cost(self.build_seconds, self.step_seconds)

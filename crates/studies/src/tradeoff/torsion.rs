@@ -20,13 +20,13 @@ use campaign::accuracy::trial;
 use campaign::engine::MethodSystem;
 use campaign::plan::{Setting, Sweep};
 
-/// A step is looked at through a window of this length, s.
+/// A step is compared through a window of this length, s.
 const STEP_WINDOW: RaisedCosine = RaisedCosine { duration: 0.1 };
 
 /// Time compared after a step, s: eight round trips of a wave.
 const STEP_TIME: f64 = 5.0;
 
-/// The narrowest window through which the undershoot is looked at, s. The string
+/// The narrowest window through which the undershoot is measured, s. The string
 /// has details down to the half metre of a joint, which a wave passes in 0.16 ms.
 const UNDERSHOOT_WINDOW: f64 = 1e-4;
 

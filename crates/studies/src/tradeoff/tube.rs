@@ -79,8 +79,8 @@ fn limit(part: &Part, tube: &UniformTube) -> Result<Reference> {
     })
 }
 
-/// That limit by the stepper of all cases against the waves in closed form, in so many
-/// steps to the travel time.
+/// That limit by the stepper of all cases against the waves in closed form, in a number of steps to
+/// the travel time.
 fn exact_limit(part: &Part, tube: &UniformTube, steps_to_bit: usize) -> Result<f64> {
     let (setting, begun) = (&part.sweep.setting, Stopwatch::start());
     let responses = tube.responses(&setting.string, steps_to_bit, part.longest);

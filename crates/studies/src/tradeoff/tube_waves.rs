@@ -77,8 +77,7 @@ impl UniformTube {
         (-self.decay * time).exp() * self.decay.powi(2) * sum
     }
 
-    /// The times that echoes have travelled until a time, s, the first so many travel
-    /// times.
+    /// The times that echoes have travelled until a time, s, for the first travel times.
     fn echoes(&self, time: f64, first: f64) -> impl Iterator<Item = f64> {
         let all = (0..).map(move |index| (first + 2.0 * f64::from(index)) * self.travel);
         all.take_while(move |travelled| *travelled <= time)

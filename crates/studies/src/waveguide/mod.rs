@@ -1,7 +1,7 @@
 //! Torsional waves handed on in time along delay lines, without any response: between
-//! two nodes a wave only travels, and at a node impedance steps scatter it and the damping
-//! of half of what is beside it takes its part. The bit's law is met in every step, in a
-//! few lines of its own, so that neither linear methods nor the stepper have a part in it.
+//! two nodes a wave only travels, and at a node impedance steps scatter it and the damping of half
+//! of both neighbouring pieces acts on it. The bit's law is solved in every step, by separate code,
+//! independent of the linear methods and of the stepper.
 
 mod motor;
 mod wound;
@@ -257,10 +257,10 @@ mod tests {
         );
     }
 
-    /// A string in the middle of its winding goes on as steadily: the bit breaks loose when its
+    /// A string in the middle of its winding continues as steadily: the bit breaks loose when its
     /// torque, which grows by k Ω, is T_s, and moves all of a sudden as its impedance says.
     #[test]
-    fn a_string_that_is_wound_up_goes_on_winding_up() {
+    fn a_string_that_is_wound_up_continues_to_wind_up() {
         let law = Friction {
             torque_static: 5000.0,
             torque_dynamic: 4000.0,

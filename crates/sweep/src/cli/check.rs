@@ -14,7 +14,7 @@ pub struct CheckArguments {
     /// Reference labels: columns case, method, the axes, torsion
     pub reference: PathBuf,
     #[command(flatten)]
-    pub told: CheckOutput,
+    pub output: CheckOutput,
     /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,

@@ -21,7 +21,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use sim::Label;
 
-use campaign::allotted::PassedOver;
+use campaign::allotted::IgnoredSetting;
 use campaign::engine::{RunOptions, Shard};
 use campaign::memory::{Limit, Size};
 use campaign::quantities::Axis;
@@ -90,7 +90,8 @@ pub enum Command {
     #[command(
         after_help = "Examples:\n  sweep run sweeps/fig09.toml --out /tmp/fig09\n  \
         sweep run sweeps/fig09.toml --shard 0/4\n\n\
-        A run that was stopped, however it was, goes on where it stopped when the same\n\
+        A run that was stopped, in any way, continues where it stopped when the same
+
         command is given again."
     )]
     Run(RunArguments),
@@ -120,7 +121,7 @@ pub enum Command {
         A case of the sweep is the case that `run` runs: case.csv has its rows of\n\
         labels.csv. Exit code 3 where it has no answer, as in failures.csv.")]
     Simulate(SimulateArguments),
-    /// Show the linear system: stiffness, times, taps, stability, cost
+    /// Show the linear system: stiffness, responses, stability, cost
     #[command(after_help = "Examples:\n  sweep inspect sweeps/fig09.toml\n  \
         sweep inspect sweeps/well_12in.toml --modes --orders 1,3,6\n  \
         sweep inspect sweeps/fig10.toml --csv --out /tmp/fig10")]
@@ -233,7 +234,7 @@ pub struct RunArguments {
     /// Begin anew, over the results of an earlier run or a part of it
     #[arg(long)]
     pub fresh: bool,
-    /// Go on where a case gives no answer, and list it in failures.csv (the default)
+    /// Continue after a case without an answer, and list it in failures.csv (the default)
     #[arg(long, conflicts_with = "fail_fast")]
     pub keep_going: bool,
     /// Stop at the first case that gives no answer
@@ -263,7 +264,7 @@ impl RunArguments {
     }
 }
 
-/// How progress is told.
+/// How progress is reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum LogFormat {
     /// For people: a bar on a terminal, lines elsewhere
@@ -299,9 +300,9 @@ impl MemoryArguments {
         Limit::of(self.memory)
     }
 
-    /// What stands in the place of a limit and sets none.
-    pub fn passed_over(&self) -> Option<PassedOver> {
-        Limit::passed_over(self.memory)
+    /// What was given as a limit but is not a valid one.
+    pub fn ignored(&self) -> Option<IgnoredSetting> {
+        Limit::ignored(self.memory)
     }
 }
 
@@ -328,7 +329,7 @@ pub struct PictureArguments {
         default_value = "svg,png"
     )]
     pub format: Vec<PictureFormat>,
-    /// Title of pictures in the place of their own; `none` for no title
+    /// Title that replaces those of the pictures; `none` for no title
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
 }
@@ -392,7 +393,7 @@ pub struct PlotArguments {
 pub struct SimulateArguments {
     /// The sweep file
     pub file: PathBuf,
-    /// Which of the sweep's cases, from 0; several are drawn beside each other
+    /// Which of the sweep's cases, from 0; several are drawn together
     #[arg(long, value_name = "CASES", value_delimiter = ',', default_value = "0")]
     pub case: Vec<usize>,
     /// Set a quantity, e.g. surface_speed_rpm=0.1; may be repeated
@@ -475,7 +476,7 @@ pub struct InspectArguments {
         value_parser = parse_order
     )]
     pub orders: Vec<f64>,
-    /// Write taps, frequency responses and modes as CSV into the folder
+    /// Write impulse and frequency responses and modes as CSV into the folder
     #[arg(long)]
     pub csv: bool,
     #[command(flatten)]

@@ -129,15 +129,15 @@ pub struct ContactsArguments {
     /// Where the range of the contacts ends [default: 200 m from the bit, or the surface]
     #[arg(long, value_name = "M")]
     pub to_m: Option<f64>,
-    /// Where to knock, m from the bit [default: the lowest contact, the file's first impulse]
-    #[arg(long, value_name = "M", value_delimiter = ',')]
-    pub knock_at: Option<Vec<f64>>,
-    /// How hard, in multiples of I₀ at that place; the amounts are rounded to two digits
-    #[arg(long, value_name = "RATIOS", value_delimiter = ',', default_value = "3,10", value_parser = parse_strength)]
-    pub knocks: Vec<f64>,
-    /// How hard to hit the string all along its contacts, N s per metre
-    #[arg(long, value_name = "AMOUNTS", value_delimiter = ',', default_value = "150,500", value_parser = parse_strength)]
-    pub blows: Vec<f64>,
+    /// Places of impulses, m from the bit [default: the lowest contact, the file's first impulse]
+    #[arg(long, alias = "knock-at", value_name = "M", value_delimiter = ',')]
+    pub impulse_at: Option<Vec<f64>>,
+    /// Their amounts, in multiples of I₀ at that place; rounded to two digits
+    #[arg(long, alias = "knocks", value_name = "RATIOS", value_delimiter = ',', default_value = "3,10", value_parser = parse_strength)]
+    pub impulses: Vec<f64>,
+    /// Impulses spread all along the contacts, N s per metre
+    #[arg(long, alias = "blows", value_name = "AMOUNTS", value_delimiter = ',', default_value = "150,500", value_parser = parse_strength)]
+    pub impulses_along: Vec<f64>,
     /// Set a quantity, e.g. clearance_mm=10; may be repeated
     #[arg(long, value_name = "AXIS=VALUE", value_parser = parse_setting)]
     pub set: Vec<(Axis, f64)>,

@@ -26,10 +26,10 @@ pub fn parse_measure(name: &str) -> Result<Measure, String> {
 pub fn parse_part(text: &str) -> Result<f64, String> {
     let is_part = |part: &f64| (0.0..=0.5).contains(part);
     let part = text.trim().parse().ok().filter(is_part);
-    part.ok_or_else(|| format!("`{text}` is not a part from 0 to 0.5"))
+    part.ok_or_else(|| format!("`{text}` is not a fraction from 0 to 0.5"))
 }
 
-/// A part of a value, up to a half, which may be told in per cent.
+/// A fraction, up to a half, which may be given in per cent.
 ///
 /// # Errors
 /// What is wrong with it.
@@ -40,7 +40,7 @@ pub fn parse_margin(text: &str) -> Result<f64, String> {
         None => number(text),
     };
     let part = part.filter(|part| (1e-6..=0.5).contains(part));
-    part.ok_or_else(|| format!("`{text}` is not a part such as 5% or 0.05, up to 50%"))
+    part.ok_or_else(|| format!("`{text}` is not a fraction such as 5% or 0.05, up to 50%"))
 }
 
 /// A file that a picture is written to, in the format of its ending.
@@ -168,7 +168,7 @@ pub fn parse_axes(text: &str) -> Result<AxesOfCells, String> {
 pub fn parse_width(text: &str) -> Result<f64, String> {
     let is_width = |width: &f64| (1e-5..1.0).contains(width);
     let width = text.parse().ok().filter(is_width);
-    width.ok_or_else(|| format!("`{text}` is not a part between 0.00001 and 1"))
+    width.ok_or_else(|| format!("`{text}` is not a fraction between 0.00001 and 1"))
 }
 
 /// A multiple of the surface speed.

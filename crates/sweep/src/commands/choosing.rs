@@ -1,5 +1,5 @@
-//! Choosing for an accuracy, which may take minutes: what is tried is told
-//! meanwhile, and at the end what it took.
+//! Choosing for an accuracy, which may take minutes: reports what is tried, and at the end what it
+//! took.
 
 use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -14,28 +14,29 @@ use super::cost::in_words;
 use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, Display, moving};
 use super::stop;
 use super::terminal::Terminal;
-use campaign::accuracy::{self, Attempt, Expected, SearchProgress};
+use campaign::Campaign;
+use campaign::accuracy::{Attempt, Expected, SearchProgress};
 use campaign::memory::Limit;
-use campaign::plan::{Candidate, Sweep};
+use campaign::plan::Candidate;
 use campaign::words::short;
 
-/// An attempt that is expected to take longer than this, s, is told before it is made.
+/// An attempt that is expected to take longer than this, s, is announced.
 const LONG: f64 = 5.0;
 
-/// The sweep or, where it asks for an accuracy, that with what is chosen for it; tells
+/// The campaign or, where its sweep asks for an accuracy, that with what is chosen for it; tells
 /// of that unless `quiet`.
 ///
 /// # Errors
-/// As [`accuracy::choose`].
+/// As [`Campaign::choose`].
 pub fn choose(
-    sweep: Sweep,
+    campaign: Campaign,
     full: bool,
     limit: &Limit,
     quiet: bool,
     terminal: Terminal,
-) -> Result<Sweep> {
-    if sweep.content.accuracy.is_none() {
-        return Ok(sweep);
+) -> Result<Campaign> {
+    if campaign.sweep.content.accuracy.is_none() {
+        return Ok(campaign);
     }
     let choosing = Choosing::new(quiet, terminal);
     let (under_way, over) = channel::<()>();
@@ -46,20 +47,16 @@ pub fn choose(
                 shown.tell();
             }
         });
-        let chosen = accuracy::choose(&sweep, full, limit, &|told| match told {
+        let chosen = campaign.choose(full, limit, &|progress| match progress {
             SearchProgress::Expected(expected) => choosing.expect(&expected),
             SearchProgress::Attempt(attempt) => choosing.begin(attempt),
         });
         drop(under_way);
         chosen
     });
-    let made = chosen.and_then(|chosen| match chosen {
-        Some((method, choice)) => sweep.with_choice(method, choice),
-        None => Ok(sweep),
-    });
-    let choice = made.as_ref().ok().and_then(|sweep| sweep.choice.as_ref());
+    let choice = (chosen.as_ref().ok()).and_then(|chosen| chosen.sweep.choice.as_ref());
     choosing.finish(choice.map(|choice| &choice.chosen));
-    Ok(made?)
+    Ok(chosen?)
 }
 
 /// A choice under way.

@@ -10,7 +10,9 @@ use rayon::prelude::*;
 use sim::Scene;
 
 use campaign::design::Design;
-use campaign::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey, add_finer, answer};
+use campaign::engine::{
+    Case, MethodSystem, Recipe, RunOptions, StringMemory, Survey, add_finer, answer,
+};
 use campaign::memory::{Estimate, Limit, Size};
 use campaign::plan::{Setting, Sweep};
 use campaign::words::counted;
@@ -36,11 +38,11 @@ const GLANCE: Duration = Duration::from_millis(50);
 /// Wall time of a run.
 #[derive(Debug)]
 pub enum WallTime {
-    /// About so many seconds.
+    /// About this number of seconds.
     About(f64),
     /// Not known: the probe was not done in its time.
     Unknown,
-    /// It would not come to an end; why.
+    /// It would not finish; why.
     Refused(anyhow::Error),
 }
 
@@ -98,7 +100,7 @@ struct Pace {
 }
 
 impl Pace {
-    /// Seconds for so many simulations.
+    /// Seconds for a number of simulations.
     fn seconds(&self, sweep: &Sweep, simulations: usize) -> f64 {
         let all = (sweep.design.cases() * sweep.methods.len()).max(1);
         let part = simulations as f64 / all as f64;
@@ -114,7 +116,7 @@ impl Pace {
     }
 }
 
-/// The time that so many simulations of a sweep take, by building its systems for short
+/// The time that a number of simulations of a sweep take, by building its systems for short
 /// cases and stepping some, for a bounded time. `stops` ends it sooner.
 pub fn probe(
     sweep: &Sweep,
@@ -128,7 +130,7 @@ pub fn probe(
     let (owned, longest) = (sweep.clone(), survey.longest);
     thread::spawn(move || {
         let paced = build_and_step(&owned, longest, options);
-        // Nobody may wait any more.
+        // The receiver may have stopped waiting.
         let _ = send.send(paced);
     });
     loop {
@@ -155,7 +157,8 @@ fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pa
     let setting = sweep.setting.for_labels();
     let prepared = longest.min(STEPS / setting.sampling_frequency);
     let start = Instant::now();
-    let systems = MethodSystem::build_all(sweep, &setting, prepared)?;
+    let systems = Recipe::build_each(sweep, &setting, prepared, &[]);
+    let systems = systems.into_iter().collect::<Result<_>>()?;
     let systems = add_finer(systems, sweep, prepared)?;
     let built = start.elapsed().as_secs_f64();
     Ok(Pace {

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-/// A table as CSV, of rows that have the name of each field beside it.
+/// A table as CSV, of rows that pair each field with its name.
 ///
 /// # Errors
 /// Where memory does not take it.

@@ -1,5 +1,5 @@
-//! Pictures in a folder: the map of its results, and whatever else is drawn, in the formats and
-//! the size that are asked for.
+//! Pictures in a folder: the map of its results and all other drawings, in the formats and the size
+//! that are asked for.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use anyhow::{Result, bail, ensure};
 use super::status::UsageError;
 use crate::cli::{PictureArguments, PictureFormat, RangeArguments};
 use crate::map;
-use plot::{Look, Panel, Paper, Picture, map_sheet};
+use plot::{Look, Panel, Paper, Picture, map_chart};
 use results::files::write_atomically;
 use results::folder::{Manifest, ResultTables};
 
@@ -131,12 +131,12 @@ pub fn draw_map(tables: &ResultTables, folder: &Path, drawing: &Drawing) -> Resu
         return Ok(false);
     };
     let options = ["--x-range", "--y-range"];
-    for ((axis, ends), option) in map.sheet.axes.iter().zip(drawing.look.ranges).zip(options) {
+    for ((axis, ends), option) in map.chart.axes.iter().zip(drawing.look.ranges).zip(options) {
         let has_place = ends.is_none_or(|[from, _]| !axis.logarithmic || from > 0.0);
         let message = format!("{option}: a logarithmic axis begins above zero");
         ensure!(has_place, UsageError(message));
     }
-    drawing.save(folder, "map", &map_sheet(&drawing.look, &map.sheet))?;
+    drawing.save(folder, "map", &map_chart(&drawing.look, &map.chart))?;
     Ok(true)
 }
 

@@ -8,6 +8,7 @@ use anyhow::{Context, Result, bail};
 
 use super::choosing::choose;
 use super::outputs::{Output, refuse_to_lose};
+use super::simulate::not_followed;
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
@@ -15,11 +16,9 @@ use super::warnings::warn_of_memory;
 use crate::cli::ExploreArguments;
 use crate::explore::{Explored, controls, page, whirl_lines};
 use crate::histories::history_picture;
-use campaign::engine::{
-    Choice, ChosenCase, FollowedMethod, MethodSystem, RunOptions, Survey, common_setting,
-};
-use campaign::memory::{Purpose, admit};
-use campaign::plan::Sweep;
+use campaign::Campaign;
+use campaign::engine::RunOptions;
+use campaign::follow::{Following, KeptSystems};
 use campaign::text_file::read_text;
 use plot::Look;
 use results::files::write_atomically;
@@ -31,9 +30,9 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
     use_threads(None, terminal)?;
     warn_of_memory(memory, terminal);
     let limit = memory.limit();
-    let (sweep, texts) = read(file)?;
-    let sweep = choose(sweep, false, &limit, false, terminal)?;
-    let lateral = sweep.setting.lateral.as_ref();
+    let (campaign, texts) = read(file)?;
+    let campaign = choose(campaign, false, &limit, false, terminal)?;
+    let lateral = campaign.sweep.setting.lateral.as_ref();
     if lateral.is_some_and(|lateral| lateral.finding.is_some()) {
         bail!(UsageError(format!(
             "{}: sites that are found case by case take too long to follow a slider: name the \
@@ -41,30 +40,28 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
             file.display()
         )));
     }
-    let refused = |error| UsageError(format!("{}: {error}", file.display()));
-    let choice = Choice::new(&sweep, arguments.case, &[]).map_err(refused)?;
-    let setting = common_setting(&sweep, std::slice::from_ref(&choice)).map_err(refused)??;
-    let sweep = Sweep { setting, ..sweep };
-    let ChosenCase { case, longest } = choice.case(&sweep).map_err(refused)?;
-    let survey = Survey {
-        longest,
-        ..Survey::default()
+    let refused = |words: String| UsageError(format!("{}: {words}", file.display()));
+    let chosen = campaign.cases(&[arguments.case], &[], &[0]);
+    let chosen = match chosen.map_err(|error| refused(error.to_string()))? {
+        Ok(chosen) => chosen,
+        Err(rows) => {
+            let reason = rows.into_iter().find_map(|row| row.outcome.err());
+            let reason = reason.context("there is no string")?;
+            bail!(UsageError(reason.to_string()));
+        }
     };
-    let purpose = Purpose::Histories {
-        cases: 1,
-        shapes: 0,
+    let following = Following {
+        options: RunOptions::default(),
+        memory: Some((&limit, 0)),
+        warn: &|_| (),
     };
-    admit(&sweep, &sweep.setting, &survey, purpose, &limit)?;
-
-    let options = RunOptions {
-        full: false,
-        allow_unstable: !sweep.design.varies_string(),
-    };
-    let setting = sweep.setting.for_labels();
-    let system = MethodSystem::build_for(&sweep, &setting, sweep.methods[0], longest)?;
-    let system = FollowedMethod::new(&sweep, system, longest)?;
-    let (row, simulation) = system.simulate(&sweep, &case, 0, options, true)?;
-    let Some(simulation) = simulation else {
+    let followed = chosen.follow(&following, &mut KeptSystems::default());
+    let followed = followed.map_err(|error| not_followed(error, file))?;
+    let sweep = followed.sweep;
+    let (row, case) = (followed.rows.into_iter().next())
+        .zip(followed.cases.into_iter().next())
+        .context("there is no case")?;
+    let Some(simulation) = followed.simulations.into_iter().next() else {
         let reason = row.outcome.err().context("there is no motion")?;
         let (case, method) = (case.index, sweep.methods[0].name());
         terminal.complain(&format!(
@@ -89,13 +86,13 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
 }
 
 /// A sweep, and every text that was read for it, by its path.
-fn read(file: &Path) -> Result<(Sweep, BTreeMap<String, String>)> {
+fn read(file: &Path) -> Result<(Campaign, BTreeMap<String, String>)> {
     let texts = RefCell::new(BTreeMap::new());
-    let sweep = Sweep::read_from(file, &[], &|path, most| {
+    let campaign = Campaign::open(file, &[], &|path, most| {
         let text = read_text(path, most)?;
         let name = path.display().to_string();
         texts.borrow_mut().insert(name, text.clone());
         Ok(text)
     })?;
-    Ok((sweep, texts.into_inner()))
+    Ok((campaign, texts.into_inner()))
 }

@@ -1,4 +1,4 @@
-//! Cases of a list, run for their labels alone: those of a reference, and those beside them.
+//! Cases of a list, run for their labels alone: those of a reference, and their neighbours.
 
 use std::path::Path;
 
@@ -8,6 +8,7 @@ use super::prepare::{build_systems, survey_cases};
 use super::progress::Progress;
 use super::terminal::Terminal;
 use super::warnings::warn_of_unstable;
+use campaign::Campaign;
 use campaign::design::{Design, List};
 use campaign::engine::{Keep, MethodSystem, RunOptions, Shard, Work};
 use campaign::memory::{Limit, Purpose, admit};
@@ -38,11 +39,14 @@ impl Listed {
     ) -> Result<Self> {
         let axes = sweep.design.axes().to_vec();
         let weight_pushes = sweep.changes_string(Axis::WeightOnBitKn);
-        let sweep = Sweep {
-            design: Design::List(List::new(axes, cases, weight_pushes)),
-            ..sweep
+        let campaign = Campaign {
+            sweep: Sweep {
+                design: Design::List(List::new(axes, cases, weight_pushes)),
+                ..sweep
+            },
         };
-        let survey = survey_cases(listed, &sweep)?;
+        let survey = survey_cases(listed, &campaign)?;
+        let Campaign { sweep } = campaign;
         let setting = sweep.setting.for_labels();
         let memory = admit(&sweep, &setting, &survey, Purpose::Labels, limit)?;
         let systems = build_systems(sweep.source.file(), &sweep, &setting, survey.longest)?;

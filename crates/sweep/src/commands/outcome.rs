@@ -62,15 +62,15 @@ fn certain(manifest: &Manifest) -> String {
     manifest.tally.motions().into_iter().map(words).collect()
 }
 
-/// What labels may depend on that was not looked at.
-fn not_looked_at(manifest: &Manifest) -> String {
+/// Possible dependences of labels that were not examined.
+fn not_examined(manifest: &Manifest) -> String {
     let left_out = manifest.depends_on.iter().filter(|it| it.cases == 0);
     let changes: Vec<String> = left_out.map(|it| it.change.words()).collect();
     if changes.is_empty() {
         return String::new();
     }
     let words = format!(
-        "not looked at, as it would take longer than the run: labels {}",
+        "not examined, as it would take longer than the run: labels {}",
         changes.join(", ")
     );
     wrapped(&words, 2, 4)
@@ -105,7 +105,7 @@ fn traced(trace: &TraceSummary) -> String {
     let mut text = wrapped(
         &format!(
             "limits traced to {x:.2} % and {y:.2} % of the axes (limits.csv), with {part:.1} % of \
-             the cases of a grid as fine, {}",
+             the cases of the equivalent grid, {}",
             trace.cases_of_grid
         ),
         2,
@@ -116,7 +116,7 @@ fn traced(trace: &TraceSummary) -> String {
         let area = percent(limit.ragged_part);
         let words = format!(
             "{method}, {motion}: ragged in {tiles} tiles, {area:.1} % of the map, where there is \
-             no line but how large a part has the regime (bands.csv)"
+             no line but a fraction with the regime (bands.csv)"
         );
         text += &wrapped(&words, 2, 4);
     }
@@ -141,7 +141,7 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     text += &label_counts(&manifest.tally);
     text += &certain(manifest);
     text += &depends_on(manifest);
-    text += &not_looked_at(manifest);
+    text += &not_examined(manifest);
     for words in manifest.tally.found_words() {
         text += &wrapped(&words, 2, 4);
     }

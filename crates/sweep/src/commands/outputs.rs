@@ -1,4 +1,4 @@
-//! Files that a command writes where it is told to: never over what it did not write.
+//! Files that a command writes where the user asks: never over what it did not write.
 
 use std::fs::File;
 use std::io::Read;
@@ -18,8 +18,8 @@ pub enum Output<'a> {
     Beginning(&'a [&'a [u8]]),
 }
 
-/// Refuses to write over what the command has not written, unless it is told to. What is no file,
-/// as a device, is written to.
+/// Refuses to write over what the command has not written, unless forced. Devices and pipes are
+/// written to.
 ///
 /// # Errors
 /// Where something else has the name.

@@ -9,27 +9,28 @@ use super::status::UsageError;
 use super::terminal::Terminal;
 use super::warnings::warn_of_memory;
 use crate::cli::WorkArguments;
-use campaign::engine::{MethodSystem, Survey, survey};
+use campaign::engine::{MethodSystem, Recipe, Survey};
 use campaign::plan::{Setting, Sweep};
 use campaign::sweep_file::SweepFileError;
 use campaign::text_file::read_text;
+use campaign::{Campaign, SurveyError};
 
-/// Reads a sweep file and puts the methods asked for in place of its own; or chooses
-/// one, where it asks for an accuracy, telling what it tries unless `quiet`.
+/// Opens a sweep file and replaces its methods by those asked for; or chooses one, where it asks
+/// for an accuracy, reporting what it tries unless `quiet`.
 ///
 /// # Errors
 /// Where the file does not make sense, or no method is accurate enough.
-pub fn read_sweep(
+pub fn open(
     file: &Path,
     work: &WorkArguments,
     full: bool,
     quiet: bool,
     terminal: Terminal,
-) -> Result<Sweep> {
+) -> Result<Campaign> {
     warn_of_memory(&work.memory, terminal);
     let methods = unique(&work.methods);
-    let sweep = Sweep::read_from(file, &methods, &read_text)?;
-    choose(sweep, full, &work.memory.limit(), quiet, terminal)
+    let campaign = Campaign::open(file, &methods, &read_text)?;
+    choose(campaign, full, &work.memory.limit(), quiet, terminal)
 }
 
 /// What is named in a list, once each.
@@ -43,13 +44,11 @@ pub fn unique<T: Copy + PartialEq>(list: &[T]) -> Vec<T> {
 ///
 /// # Errors
 /// Where a case is refused, or an impulse of it is not felt.
-pub fn survey_cases(file: &Path, sweep: &Sweep) -> Result<Survey> {
-    let survey =
-        survey(sweep).map_err(|reason| UsageError(format!("{}: {reason}", file.display())))?;
-    if let Some((case, end)) = survey.first_end {
-        sweep.impulses_are_felt(case, end)?;
-    }
-    Ok(survey)
+pub fn survey_cases(file: &Path, campaign: &Campaign) -> Result<Survey> {
+    campaign.survey().map_err(|error| match error {
+        SurveyError::Case(reason) => UsageError(format!("{}: {reason}", file.display())).into(),
+        SurveyError::File(error) => error.into(),
+    })
 }
 
 /// The linear system of every method, for a string and times up to the longest.
@@ -62,7 +61,9 @@ pub fn build_systems(
     setting: &Setting,
     longest_time: f64,
 ) -> Result<Vec<MethodSystem>> {
-    MethodSystem::build_all(sweep, setting, longest_time).map_err(|error| naming_file(file, error))
+    let systems = Recipe::build_each(sweep, setting, longest_time, &[]);
+    let systems: Result<_> = systems.into_iter().collect();
+    systems.map_err(|error| naming_file(file, error))
 }
 
 /// An error of a sweep file's systems, which names the file.

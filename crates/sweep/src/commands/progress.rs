@@ -62,8 +62,8 @@ impl Display {
 }
 
 impl Progress {
-    /// Of so many simulations, some done before; for people none if `quiet`. A signal
-    /// ends it.
+    /// Of a number of simulations, some done before; not shown to people if `quiet`. A signal ends
+    /// it.
     pub fn new(total: usize, before: usize, quiet: bool, terminal: Terminal) -> Arc<Self> {
         let display = Display::of(terminal, quiet, || bar(total, before));
         if let Display::Events = display {
@@ -88,7 +88,7 @@ impl Progress {
         progress
     }
 
-    /// So many are to be done in all, as far as is known now.
+    /// The number to be done in all, as far as is known now.
     pub fn expect(&self, total: usize) {
         self.total.store(total, Ordering::Relaxed);
         if let Display::Bar(bar) = &self.display {

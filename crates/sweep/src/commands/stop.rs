@@ -1,6 +1,5 @@
-//! Ctrl-C and SIGTERM: every command ends within a second, whatever it is at.
-//!
-//! What is under way has a moment to come to its end by itself: a run begins no
+//! Ctrl-C and SIGTERM: every command ends within a second, in any phase.
+//! Work in progress has a moment to finish: a run begins no
 //! further case, and a file that is being written is finished. Then the program
 //! ends. Nothing is lost by that, for a file is there whole or not at all, and a
 //! case that is done is in the log. A second signal ends the program at once.
@@ -27,11 +26,11 @@ const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 /// sends them to the process and to its group.
 const SAME_SIGNAL: Duration = Duration::from_millis(100);
 
-/// What is under way may go on for this long.
+/// Work in progress may continue for this long.
 const GRACE: Duration = Duration::from_millis(300);
 
-/// What is left to do and to say may take this long. It takes longer only where
-/// nobody reads it, or a disk does not answer.
+/// The last work and messages may take this long. They take longer only where the output is not
+/// read, or a disk does not answer.
 const FAREWELL: Duration = Duration::from_millis(400);
 
 /// The exit code that a signal asked for; 0 before.
@@ -97,10 +96,9 @@ pub fn tell_unfinished(terminal: Terminal) {
     terminal.complain("stopped: not finished; give the same command again");
 }
 
-/// Ends the program as a signal asked for. The farewell is said once, whoever comes
-/// first.
+/// Ends the program as a signal asked for. The farewell is said once, by whichever thread is first.
 pub fn end(status: Status) -> ! {
-    // A thread of its own, for it may never end.
+    // A separate thread, for it may never end.
     let _ = thread::Builder::new().spawn(move || {
         if let Ok(before_end) = BEFORE_END.lock()
             && let Some(farewell) = before_end.as_deref()

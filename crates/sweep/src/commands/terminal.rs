@@ -1,5 +1,5 @@
-//! What is said on standard output and told on the error stream. Nothing of it steers a
-//! terminal, whoever wrote the files it comes from.
+//! Output on the standard and error streams. Control sequences are removed, from any file that the
+//! text comes from.
 
 use std::io::{ErrorKind, Write};
 

@@ -6,19 +6,19 @@ use campaign::threads::{allotted_threads, asked_threads};
 use super::status::UsageError;
 use super::terminal::Terminal;
 
-/// Uses as many threads as asked for, or as the cluster allots, or as there are cores. A number
-/// that the cluster's variables cannot mean is told and passed over.
+/// Uses as many threads as asked for, or as the cluster allots, or as there are cores. An
+/// impossible number in the cluster's variables is ignored with a warning.
 ///
 /// # Errors
-/// Where `jobs` is none, or more than makes sense.
+/// Where `jobs` is zero, or more than makes sense.
 pub fn use_threads(jobs: Option<usize>, terminal: Terminal) -> Result<()> {
     let threads = match jobs {
         Some(jobs) => {
             asked_threads(jobs).map_err(|reason| UsageError(format!("--jobs {jobs}: {reason}")))?
         }
         None => {
-            let (threads, passed_over) = allotted_threads();
-            for doubt in passed_over {
+            let (threads, ignored) = allotted_threads();
+            for doubt in ignored {
                 terminal.complain(&format!("warning: {doubt}"));
             }
             threads

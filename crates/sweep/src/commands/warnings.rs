@@ -11,7 +11,7 @@ use results::log::Log;
 
 /// Warns of an amount of memory that the cluster allots and cannot mean.
 pub fn warn_of_memory(memory: &MemoryArguments, terminal: Terminal) {
-    if let Some(doubt) = memory.passed_over() {
+    if let Some(doubt) = memory.ignored() {
         terminal.complain(&format!("warning: {doubt}"));
     }
 }
@@ -26,14 +26,15 @@ pub fn warn_of_sweep(sweep: &Sweep, terminal: Terminal) {
     }
 }
 
-/// Says which limit of whirl is not looked for.
+/// Says which limit of whirl is not computed.
 pub fn warn_of_limits(sweep: &Sweep, terminal: Terminal) {
     let sites = sweep.setting.sites.len();
     let has_limit =
         sweep.setting.lateral.is_some() && sweep.design.axes().contains(&Axis::FRICTION);
     if has_limit && sites > MOST_SITES {
         terminal.complain(&format!(
-            "note: what friction whirl of any sites together needs is not looked for: there are {sites} \
+            "note: the friction that whirl of any sites together needs is not computed: there are \
+             {sites} \
              sites, more than {MOST_SITES}"
         ));
     }

@@ -1,6 +1,6 @@
 //! What a page lets its reader change: what the design varies, and what else a case depends on.
 
-use campaign::engine::{Case, why_idle};
+use campaign::engine::{Case, unused_reason};
 use campaign::plan::Sweep;
 use campaign::quantities::{Axis, StringAxis, Units};
 use campaign::sweep_file::ControllerName;
@@ -47,7 +47,7 @@ pub fn controls(sweep: &Sweep, case: &Case) -> Vec<Control> {
         Axis::String(StringAxis::DriveInertia),
     ];
     for axis in others {
-        if axes.contains(&axis) || why_idle(sweep, axis).is_some() {
+        if axes.contains(&axis) || unused_reason(sweep, axis).is_some() {
             continue;
         }
         if varies_torque && has_torque(&axis) {

@@ -1,4 +1,4 @@
-//! The limit of whirl beside a case between walls: of the string as it is in the file.
+//! The limit of whirl next to a case between walls: of the string as it is in the file.
 
 use anyhow::Result;
 use campaign::plan::{LateralSettings, Sweep};

@@ -50,7 +50,7 @@ pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -
     band_chart(look, &chart)
 }
 
-/// The bars of each site, each of so many steps: with the largest normal force, and full where
+/// The bars of each site, each of a number of steps: with the largest normal force, and full where
 /// the site rolls in at least half of the steps in which it touches.
 fn bars(motion: &Trajectory, frequency: f64, steps: usize, force: &Unit) -> Vec<Vec<Bar>> {
     let time = |step: usize| step as f64 / frequency;

@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn times_are_told_apart() {
+    fn times_are_distinguishable() {
         let times = [0.0, 0.0015, 0.003, 0.8, 1.6];
         assert_eq!(time_decimals(&times, &[0, 3, 4]), 2);
         assert_eq!(time_decimals(&times, &[0, 1, 2]), 4);

@@ -55,7 +55,7 @@ pub fn case_lines(
 /// Which sites were found, and in how many rounds.
 fn found_line(sweep: &Sweep, Found { sites, rounds }: &Found) -> String {
     if sites.is_empty() {
-        return "no sites were found besides those of the file\n".to_owned();
+        return "no sites were found other than those of the file\n".to_owned();
     }
     let length = sweep.content.units.of(&LENGTH);
     let places = sites.iter().map(|site| short(length.number(*site)));
@@ -82,7 +82,7 @@ fn beyond_line(
     let at_sites = clearances
         .farthest_at_sites(&simulation.trajectory)
         .max(0.0);
-    let told = match clearances.farthest_beyond(whole) {
+    let penetration = match clearances.farthest_beyond(whole) {
         Some(Beyond {
             depth,
             by,
@@ -103,7 +103,11 @@ fn beyond_line(
         ),
         _ => "goes nowhere beyond the wall away from its sites".to_owned(),
     };
-    wrapped(&format!("{}: the string {told}", simulation.name), 2, 4)
+    wrapped(
+        &format!("{}: the string {penetration}", simulation.name),
+        2,
+        4,
+    )
 }
 
 fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {
@@ -145,7 +149,7 @@ fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>, units: Units) -> Ve
     };
     if let (Some(lateral), Some(distance)) = (outcome.lateral(), site_from_bit_m) {
         let turns = lateral.precession_rate / std::f64::consts::TAU;
-        let told = |twin, value| {
+        let in_units = |twin, value| {
             let unit = units.of(twin);
             let number = decimals(unit.number(value), unit.decimals(2));
             format!("{number} {}", unit.name)
@@ -157,9 +161,12 @@ fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>, units: Units) -> Ve
                 site_title(distance, units),
                 100.0 * lateral.contact_fraction
             ),
-            format!("r = {}", told(&WIDTH, 1e3 * lateral.mean_radius)),
+            format!("r = {}", in_units(&WIDTH, 1e3 * lateral.mean_radius)),
             format!("{} turns/s", decimals(turns, 2)),
-            format!("F_N = {}", told(&FORCE, 1e-3 * lateral.mean_normal_force)),
+            format!(
+                "F_N = {}",
+                in_units(&FORCE, 1e-3 * lateral.mean_normal_force)
+            ),
         ]);
     }
     if let Some(torsion) = outcome.torsion() {

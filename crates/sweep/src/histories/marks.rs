@@ -9,9 +9,9 @@ use plot::{Across, LineStyle, Reference};
 /// The clearance is drawn where motion reaches this part of it.
 pub const CLEARANCE_SHOWN: f64 = 0.2;
 
-/// The clearances of cases (m) in a unit of widths, each once, where motion comes so near, by
-/// its radii in that unit, that they are seen beside it; of each case what `of` finds among those
-/// of its sites.
+/// The clearances of cases (m) in a unit of widths, each once, where motion comes so near, by its
+/// radii in that unit, that both are visible; of each case what `of` finds among those of its
+/// sites.
 pub fn shown_clearances(
     cases: &[Case],
     of: impl Fn(&[f64]) -> Option<f64>,

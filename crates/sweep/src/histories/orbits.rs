@@ -7,7 +7,7 @@ use campaign::quantities::WIDTH;
 use campaign::words::site_title;
 use plot::{Axis, Look, Orbit, Picture, Series, orbits};
 
-/// A lateral label is of so many seconds, the last ones: they are marked.
+/// A lateral label describes the last seconds, this many: they are marked.
 const LAST: f64 = 2.0;
 
 /// What circles and the dark ends of paths are, in the legend.

@@ -134,7 +134,7 @@ impl Histories<'_> {
                 &label,
                 series,
                 levels(self.cases, "Ω", |case| {
-                    // What was recorded has a panel of its own.
+                    // What was recorded has its own panel.
                     let is_known = self.sweep.data.surface_speed.is_none();
                     is_known.then(|| to_rpm(case.scene.surface_speed))
                 }),
@@ -162,7 +162,7 @@ impl Histories<'_> {
         list
     }
 
-    /// What turns the surface, where it is followed, beside what was recorded.
+    /// The torque that turns the surface, where it is followed, together with the recorded one.
     fn surface_torque(&self) -> Option<Panel> {
         if !has_surface_torque(self.simulations) {
             return None;
@@ -254,12 +254,12 @@ fn levels(cases: &[Case], name: &str, of: impl Fn(&Case) -> Option<f64>) -> Vec<
 /// differ in where in a step their motion is.
 fn value_at(points: &[(f64, f64)], step: usize, time: f64) -> Option<f64> {
     let &(now, own) = points.get(step)?;
-    let beside = if time > now {
+    let neighbour = if time > now {
         points.get(step + 1)
     } else {
         points[..step].last()
     };
-    Some(match beside {
+    Some(match neighbour {
         Some(&(then, other)) if time != now => own + (other - own) * (time - now) / (then - now),
         _ => own,
     })

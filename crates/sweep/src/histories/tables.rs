@@ -7,7 +7,7 @@ use sim::laws::contact::Touch;
 
 use campaign::engine::Simulation;
 use campaign::labels::LabelTable;
-use campaign::labels::{Column, history_columns};
+use campaign::labels::{HistoryColumn, history_columns};
 use campaign::plan::Sweep;
 use campaign::records::Certainty;
 use campaign::records::Record;
@@ -20,9 +20,10 @@ use campaign::records::Record;
 pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>> {
     let columns_of =
         |simulation: &Simulation| history_columns(&sweep.setting.sites, &simulation.trajectory);
-    let tables: Vec<Vec<Column>> = simulations.iter().map(columns_of).collect();
+    let tables: Vec<Vec<HistoryColumn>> = simulations.iter().map(columns_of).collect();
     let first = tables.first().into_iter().flatten();
-    let has = |table: &Vec<Column>, name: &str| table.iter().any(|column| column.name == name);
+    let has =
+        |table: &Vec<HistoryColumn>, name: &str| table.iter().any(|column| column.name == name);
     let shared: Vec<&str> = (first.map(|column| column.name.as_str()))
         .filter(|name| tables.iter().all(|table| has(table, name)))
         .collect();
@@ -33,7 +34,7 @@ pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>>
         let columns = table
             .iter()
             .filter(|column| shared.contains(&column.name.as_str()));
-        let columns: Vec<&Column> = columns.collect();
+        let columns: Vec<&HistoryColumn> = columns.collect();
         for step in 0..simulation.trajectory.times.len() {
             writer.write_field(&case)?;
             writer.write_field(simulation.method)?;

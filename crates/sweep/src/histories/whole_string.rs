@@ -15,12 +15,12 @@ const SHOWN_ABOVE: f64 = 0.15;
 const APART: f64 = 0.5;
 
 /// A wall with more corners than this, those of every tool joint of a long string, is shown by its
-/// least clearance in each of so many pieces.
+/// least clearance in each of this number of pieces.
 const MOST_CORNERS: usize = 400;
 const PIECES: usize = 150;
 
 /// The whole string of each simulation, reconstructed by finite elements from the forces at its
-/// sites, whatever method gave them; of the first one the shapes in these steps too.
+/// sites, by any method; of the first one the shapes in these steps too.
 ///
 /// # Errors
 /// Where finite elements cannot treat the string.
@@ -119,7 +119,7 @@ fn wall(clearances: &Clearances, from: f64, units: [&Unit; 2]) -> Wall {
 
 /// The wall from a depth (m) down to the bit, as it is drawn: corners by depth and clearance, m.
 pub fn wall_line(clearances: &Clearances, from: f64) -> Vec<(f64, f64)> {
-    // The wall goes on to where the picture begins.
+    // The wall continues to where the picture begins.
     let begins = clearances.at(from).map(|clearance| (from, clearance));
     let corners = clearances.line().into_iter();
     let line: Vec<(f64, f64)> = (begins.into_iter())

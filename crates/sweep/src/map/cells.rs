@@ -1,5 +1,4 @@
-//! Regimes over two axes, cell by cell: what is drawn of a sweep with more cases
-//! than can be told apart.
+//! Regimes over two axes, cell by cell: what is drawn of a sweep with too many cases for symbols.
 
 use super::extent::Extent;
 use super::mesh::Mesh;

@@ -1,5 +1,5 @@
-//! What the cases of one map are drawn as: symbols, cells of what most of them are, or
-//! cells of how large a part has the regime.
+//! How the cases of one map are drawn: as symbols, as cells of what most of them are, or as cells
+//! of the fraction with the regime.
 
 use sim::Motion;
 use std::path::Path;
@@ -13,14 +13,14 @@ use super::symbol::drawn_symbol_of;
 use plot::{CellFill, MapCell, MapPoint, Symbol};
 use results::folder::{CaseRows, read_cases};
 
-/// Where a sheet would have more symbols than this, cells are drawn.
+/// Where a chart would have more symbols than this, cells are drawn.
 const MOST_SYMBOLS: usize = 4000;
 
-/// Cells to the right and upwards at most, on the one map of a sheet: more would make
+/// Cells to the right and upwards at most, on the one map of a chart: more would make
 /// the picture too large a file where no two neighbours are alike.
 const MOST_CELLS: [usize; 2] = [104, 78];
 
-/// Random cases leave hardly a cell empty if it has so many on average.
+/// With this many random cases per cell on average, hardly any is empty.
 const CASES_PER_CELL: f64 = 5.0;
 
 /// Symbols drawn over cells, to the right and upwards.
@@ -34,7 +34,7 @@ pub struct Content {
     /// Its symbols.
     pub points: Vec<MapPoint>,
     /// Cases without a label of the motion, or whose label is undetermined.
-    pub untold: usize,
+    pub undetermined: usize,
     /// Cases.
     pub cases: usize,
     counted: Counted,
@@ -79,7 +79,7 @@ impl Content {
         Ok(contents)
     }
 
-    /// What cells show that were counted, of so many cases.
+    /// What counted cells show, of a number of cases.
     pub fn of_cells(cells: &Cells, cases: usize) -> Self {
         Self {
             cells: cells.joined(),
@@ -100,7 +100,7 @@ impl Content {
         self.cells.iter().any(|cell| is_of_kind(cell.fill))
     }
 
-    /// Whether its cells show how large a part of the cases has the regime.
+    /// Whether its cells show the fraction of the cases with the regime.
     pub fn is_of_parts(&self) -> bool {
         self.has_fill(|fill| !matches!(fill, CellFill::Symbol(_)))
     }
@@ -109,14 +109,14 @@ impl Content {
         self.cases += 1;
         let place @ [x, y] = [case.values[0], case.values[1]];
         let symbol = drawn_symbol_of(case, motion);
-        let is_told = match &mut self.counted {
+        let is_classified = match &mut self.counted {
             Counted::Parts(fractions) => {
                 let rows = case.rows.iter();
-                let told = rows.filter_map(|row| row.labels.is_sustained(motion));
-                let told: Vec<bool> = told.collect();
-                let sustained = told.iter().filter(|sustained| **sustained).count();
-                fractions.add(place, [sustained, told.len()]);
-                !told.is_empty()
+                let classified = rows.filter_map(|row| row.labels.is_sustained(motion));
+                let classified: Vec<bool> = classified.collect();
+                let sustained = classified.iter().filter(|sustained| **sustained).count();
+                fractions.add(place, [sustained, classified.len()]);
+                !classified.is_empty()
             }
             Counted::Crowd(cells) => symbol.inspect(|symbol| cells.add(place, *symbol)).is_some(),
             Counted::None => {
@@ -125,7 +125,7 @@ impl Content {
                 symbol.is_some()
             }
         };
-        self.untold += usize::from(!is_told);
+        self.undetermined += usize::from(!is_classified);
     }
 
     /// Makes cells, and symbols on them, of what was counted.
@@ -154,7 +154,7 @@ impl Counted {
 }
 
 /// As many cells as have some cases each, in the shape of the picture; a grid has cells of
-/// its values. The maps of a sheet have no more than one alone.
+/// its values. The maps of a chart have no more than one alone.
 fn most_cells(extent: &Extent, count: usize, motions: usize) -> [usize; 2] {
     let share = ((count * motions) as f64).sqrt();
     let most = MOST_CELLS.map(|cells| cells as f64 / share);

@@ -1,6 +1,6 @@
 //! Lines along which a field has a level, of its values at the points of a lattice.
 
-use campaign::trace::{Line, join, pieces};
+use campaign::trace::{LimitLine, join, pieces};
 
 /// Lines on which the field has a level, by places in units of the lattice: through the squares
 /// whose four corners all have a value, linear along their sides. Values are column by column; a
@@ -21,7 +21,7 @@ pub fn contour(
             _ => Vec::new(),
         }
     });
-    let exact = |line: Line| line.into_iter().map(|half| crossing(half, value, level));
+    let exact = |line: LimitLine| line.into_iter().map(|half| crossing(half, value, level));
     join(through)
         .into_iter()
         .map(|line| exact(line).collect())

@@ -60,7 +60,7 @@ impl Extent {
     }
 
     /// Of a sweep's `labels.csv`: along the `axes` of a map, to the right and upwards, with
-    /// `others` beside them.
+    /// `others` as further axes.
     ///
     /// # Errors
     /// Where it cannot be read.
@@ -81,7 +81,7 @@ impl Extent {
             for (range, &value) in ranges.iter_mut().zip(&case.values) {
                 *range = [range[0].min(value), range[1].max(value)];
             }
-            let (on_map, beside) = case.values.split_at(axes.len());
+            let (on_map, further) = case.values.split_at(axes.len());
             for (distinct, &value) in values.iter_mut().zip(on_map) {
                 if distinct.len() < MOST_DISTINCT {
                     insert(distinct, value);
@@ -89,7 +89,7 @@ impl Extent {
             }
             // One more than can be shown tells that there are too many.
             if combinations.len() <= MOST_COMBINATIONS {
-                insert(&mut combinations, beside.to_vec());
+                insert(&mut combinations, further.to_vec());
             }
             cases += 1;
             motions.extend(Motion::ALL.into_iter().filter(|&motion| case.has(motion)));
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn few_values_beside_the_map_are_listed_in_order_and_many_are_not() {
+    fn few_values_of_further_axes_are_listed_in_order_and_many_are_not() {
         let rows = |count: i32| -> String {
             let row = |case| format!("{case},a,1,10,{},smooth,\n", 9 - case % count);
             (0..20).map(row).collect()

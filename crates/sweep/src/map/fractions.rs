@@ -1,4 +1,4 @@
-//! How large a part of the cases has a regime, over two axes: what is drawn where
+//! The fraction of the cases with a regime, over two axes: what is drawn where
 //! cases that differ along further axes lie on top of one another.
 
 use super::extent::Extent;
@@ -43,19 +43,19 @@ impl Fractions {
 
     /// Counts a case: how many of its simulations have the regime, of those whose label is
     /// determined.
-    pub fn add(&mut self, place: [f64; 2], [sustained, told]: [usize; 2]) {
+    pub fn add(&mut self, place: [f64; 2], [sustained, classified]: [usize; 2]) {
         let count = &mut self.counts[self.mesh.cell_of(place)];
-        *count = [count[0] + sustained, count[1] + told];
+        *count = [count[0] + sustained, count[1] + classified];
     }
 
     /// The part of each cell's simulations that has the regime, neighbours to the right in
     /// the same class as one.
     pub fn joined(&self) -> Vec<MapCell> {
         self.mesh.joined(|cell| {
-            let [sustained, told] = self.counts[cell];
-            Some(match told {
+            let [sustained, classified] = self.counts[cell];
+            Some(match classified {
                 0 => CellFill::NoCase,
-                _ => CellFill::Fraction(Fraction::of(sustained as f64 / told as f64)),
+                _ => CellFill::Fraction(Fraction::of(sustained as f64 / classified as f64)),
             })
         })
     }
@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn neighbours_of_a_class_are_one_and_empty_cells_are_told() {
+    fn neighbours_of_a_class_are_one_and_empty_cells_are_marked() {
         let values: Vec<f64> = (0..100).map(f64::from).collect();
         let mut fractions = Fractions::new(&Extent::example([&values, &[0.0, 1.0]], 100));
         fractions.add([99.0, 1.0], [1, 2]);

@@ -182,9 +182,9 @@ fn beyond(curve: &Curve, shown: usize, held: [f64; 2], units: Units) -> String {
     nearest.unwrap_or_else(|| format!("{}: none at {held_words}", curve.name))
 }
 
-/// A note on the point of a curve nearest to a map: in the limited quantity, or in the other
-/// one where the curve ends beside the map. `ranges` are of both quantities; `side` tells
-/// by one of them (0 or 1) and its value where the point is.
+/// A note on the point of a curve nearest to a map: in the limited quantity, or in the other one
+/// where the curve ends outside the map. `ranges` are of both quantities; `side` gives, for one of
+/// them (0 or 1) and its value, on which side the point is.
 fn out_of_view(
     curve: &Curve,
     ranges: [[f64; 2]; 2],
@@ -309,7 +309,7 @@ mod tests {
     }
 
     #[test]
-    fn a_limit_out_of_view_is_told_with_its_margin() {
+    fn a_limit_out_of_view_is_noted_with_its_margin() {
         let friction = |range| (Axis::FRICTION, range);
         for (map, held, note) in [
             (
@@ -343,7 +343,7 @@ mod tests {
     }
 
     #[test]
-    fn a_limit_out_of_view_is_told_in_units_of_the_field() {
+    fn a_limit_out_of_view_is_noted_in_field_units() {
         let curve = Curve {
             name: "Eq. 74".to_owned(),
             method: None,

@@ -38,7 +38,7 @@ pub fn group(
     let mut fields: Vec<Field> = (methods.iter())
         .map(|_| Field::empty(columns * rows))
         .collect();
-    let mut untold = 0;
+    let mut unmeasured = 0;
     for row in label_rows(labels, &extent.axes, &[measure])? {
         let row = row?;
         let value = row.measures[0];
@@ -48,7 +48,7 @@ pub fn group(
             continue;
         };
         field.add(cell, value, row.labels.is_sustained(motion));
-        untold += usize::from(value.is_none());
+        unmeasured += usize::from(value.is_none());
     }
     if manifest.is_trace() {
         fields
@@ -85,12 +85,12 @@ pub fn group(
         "" => String::new(),
         name => format!(" ({name})"),
     };
-    let note = format!("not measured in {untold} simulations");
+    let note = format!("not measured in {unmeasured} simulations");
     Ok(MapGroup {
         heading: format!("{}{in_unit}", measure.words()),
         scale: Some(about(manifest, extent)),
         keys,
-        notes: (untold > 0).then_some(note).into_iter().collect(),
+        notes: (unmeasured > 0).then_some(note).into_iter().collect(),
         panels: panels.collect(),
         ..MapGroup::default()
     })

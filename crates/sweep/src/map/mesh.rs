@@ -43,8 +43,8 @@ impl Mesh {
         Self { edges }
     }
 
-    /// Around the values of a grid; of other cases, cells of one size with so many each on
-    /// average.
+    /// Around the values of a grid; of other cases, cells of one size with a number of cases each
+    /// on average.
     pub fn of_cases(extent: &Extent, most: [usize; 2], cases_per_cell: f64) -> Self {
         if extent.is_grid() {
             return Self::around(&extent.values, extent.spacing, most);
@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn values_of_a_grid_have_cells_of_their_own_or_share_one_with_neighbours() {
+    fn values_of_a_grid_have_their_own_cells_or_share_one_with_neighbours() {
         let values = [1.0, 2.0, 4.0, 8.0, 16.0];
         assert_eq!(edges(&values, 104), [0.5, 1.5, 3.0, 6.0, 12.0, 20.0]);
         assert_eq!(edges(&values, 2), [0.5, 3.0, 20.0]);

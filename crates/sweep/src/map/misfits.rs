@@ -1,4 +1,4 @@
-//! How near the cases of each cell come to what was recorded: a map for each comparison.
+//! How near the cases of each cell are to the recording: a map for each comparison.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use results::folder::{column_words, misfit_columns, read_cases};
 /// Cells to the right and upwards at most, and where cases lie anywhere.
 const MOST_CELLS: [usize; 2] = [60, 45];
 
-/// The best of so many random cases stands for a cell.
+/// A cell shows the best of about this number of random cases.
 const CASES_PER_CELL: f64 = 10.0;
 
 /// Classes of a misfit in parts of the least on its map, by their upper ends, the nearest first:
@@ -59,8 +59,8 @@ pub fn group(labels: &Path, extent: &Extent) -> Result<Option<MapGroup>> {
         .collect();
     keys.push((CellFill::NoCase, "no case".to_owned()));
     Ok(Some(MapGroup {
-        heading: "Held against what was recorded".to_owned(),
-        scale: Some("Least misfit of a cell, in parts of the least of all".to_owned()),
+        heading: "Compared with the recording".to_owned(),
+        scale: Some("Least misfit of a cell, relative to the least of all".to_owned()),
         keys,
         notes: Vec::new(),
         panels: panels.collect(),
@@ -104,8 +104,8 @@ mod tests {
         assert_eq!(part(2.3), CellFill::Fraction(Fraction::EVERY[4]));
         assert_eq!(part(6.1), lightest);
         assert_eq!(part(f64::INFINITY), CellFill::NoCase);
-        let told: Vec<String> = (0..6).map(text).collect();
-        assert_eq!(told[0], "up to 1.1");
-        assert_eq!(told[5], "over 3");
+        let labels: Vec<String> = (0..6).map(text).collect();
+        assert_eq!(labels[0], "up to 1.1");
+        assert_eq!(labels[5], "over 3");
     }
 }

@@ -1,12 +1,11 @@
 //! From a results folder to its regime map: a map for each motion that has labels, and
-//! for each of a few values of a further axis; of many values, how large a part of the
-//! cases has the regime.
+//! for each of a few values of a further axis; of many values, the fraction of the cases with the
+//! regime.
 //!
 //! `extent` says what the cases span, `symbol`, `cells` and `fractions` what they are
 //! drawn as, in the cells of a `mesh`, `traced` what a traced design is, `limits` where their limit is, `measures` a measure as
-//! colour in the classes of a `scale`, `misfits` how near they come
-//! to what was recorded; `picture` puts them
-//! together. `probability` draws counts over ranges of the axes, with lines by `contour`;
+//! colour in the classes of a `scale`, `misfits` how near they are to the recording; `picture` puts
+//! them together. `probability` draws counts over ranges of the axes, with lines by `contour`;
 //! `window` an operating window.
 
 mod cells;
@@ -29,8 +28,8 @@ mod words;
 
 pub use cells::Cells;
 pub use extent::Extent;
-pub use picture::{Drawing, drawing};
+pub use picture::{MapDrawing, drawing};
 pub use probability::{Probabilities, probability_picture};
 pub use symbol::symbol_of;
-pub use window::{WindowSheet, window_picture};
+pub use window::{WindowView, window_picture};
 pub use words::meanings;

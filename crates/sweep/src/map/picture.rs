@@ -15,17 +15,17 @@ use super::{measures, misfits};
 use campaign::plan::MapMark;
 use campaign::quantities::Axis;
 use limits::Curve;
-use plot::{MapGroup, MapPanel, MapSheet, Mark};
+use plot::{MapChart, MapGroup, MapPanel, Mark};
 use results::folder::{Manifest, ResultTables};
 use results::traced::TracedLimits;
 
 /// What is drawn of a results folder, and which cases each of its maps has.
-pub struct Drawing {
+pub struct MapDrawing {
     /// The maps: those of each motion, then others.
-    pub sheet: MapSheet,
+    pub chart: MapChart,
     /// What the horizontal and the vertical axis are.
     pub axes: [Axis; 2],
-    /// The motions that have maps of their own, one for each of the `combinations`.
+    /// The motions with separate maps, one for each of the `combinations`.
     pub motions: Vec<Motion>,
     /// Further axes.
     pub others: Vec<Axis>,
@@ -37,7 +37,7 @@ pub struct Drawing {
 ///
 /// # Errors
 /// Where a file cannot be read.
-pub fn drawing(tables: &ResultTables) -> Result<Option<Drawing>> {
+pub fn drawing(tables: &ResultTables) -> Result<Option<MapDrawing>> {
     let manifest = &tables.manifest;
     let Some(settings) = &manifest.map else {
         return Ok(None);
@@ -64,7 +64,7 @@ pub fn drawing(tables: &ResultTables) -> Result<Option<Drawing>> {
         let Map { labels, extent, .. } = &map;
         measures::group(labels, extent, manifest, measure)
     });
-    let mut sheet = MapSheet {
+    let mut chart = MapChart {
         title: match tables.so_far {
             None => manifest.title.clone(),
             Some(so_far) => format!("{} ({so_far})", manifest.title),
@@ -77,10 +77,10 @@ pub fn drawing(tables: &ResultTables) -> Result<Option<Drawing>> {
             .chain(misfits::group(&map.labels, &map.extent).transpose())
             .collect::<Result<_>>()?,
     };
-    show_in(&mut sheet, axes.map(|axis| axis.unit(units)));
+    show_in(&mut chart, axes.map(|axis| axis.unit(units)));
     let extent = map.extent;
-    Ok(Some(Drawing {
-        sheet,
+    Ok(Some(MapDrawing {
+        chart,
         axes,
         combinations: (extent.combinations())
             .map_or_else(|| vec![Vec::new()], <[Vec<f64>]>::to_vec),
@@ -121,7 +121,7 @@ impl Map<'_> {
         let curves: Vec<&Curve> = curves.collect();
         let keys = words::keys(&contents, self.manifest, motion);
         let scale = self.scale(motion, &contents);
-        let untold = words::untold(&contents, motion);
+        let undetermined = words::undetermined(&contents, motion);
         let mut notes = Vec::new();
         let panels = contents.into_iter().enumerate().map(|(index, content)| {
             let title = self.panel_title(index);
@@ -142,7 +142,7 @@ impl Map<'_> {
         if curves.is_empty() && !is_alone {
             notes.push("no limit of this motion is drawn".to_owned());
         }
-        notes.extend(untold);
+        notes.extend(undetermined);
         notes.extend(left_out.cloned());
         let heading = if is_alone { "" } else { motion.title() };
         Ok(MapGroup {

@@ -12,8 +12,8 @@ use campaign::plan::{MapMark, MapSettings};
 use campaign::quantities::Units;
 use campaign::words::counted;
 use plot::{
-    self, CellFill, Fraction, LineStyle, Look, MapGroup, MapPanel, MapSheet, Mark, Panel, Picture,
-    Series, map_sheet, panels,
+    self, CellFill, Fraction, LineStyle, Look, MapChart, MapGroup, MapPanel, Mark, Panel, Picture,
+    Series, map_chart, panels,
 };
 
 /// Cells whose 95 % interval is wider have too few cases: of half and half, those of fewer than 21.
@@ -39,7 +39,7 @@ pub struct Probabilities<'a> {
 /// Draws probabilities: over two axes as maps, over one as curves.
 pub fn probability_picture(of: &Probabilities) -> Picture {
     match &of.counts.bins[..] {
-        [x, y] => of.sheet([x, y]),
+        [x, y] => of.chart([x, y]),
         [x] => of.curves(x),
         _ => panels(&Look::default(), &of.title, &[]),
     }
@@ -70,7 +70,7 @@ impl Probabilities<'_> {
         }
     }
 
-    fn sheet(&self, bins: [&Bins; 2]) -> Picture {
+    fn chart(&self, bins: [&Bins; 2]) -> Picture {
         let motions = self.motions();
         let is_alone = motions.len() == 1;
         let groups = motions.iter().map(|(motion, methods)| {
@@ -80,14 +80,14 @@ impl Probabilities<'_> {
                 ..self.group(bins, &self.regime(*motion), methods)
             }
         });
-        let mut sheet = MapSheet {
+        let mut chart = MapChart {
             title: self.title.clone(),
             axes: bins.map(|bins| plot_axis(bins.axis, bins.spacing, self.units)),
             marks: self.marks(bins),
             groups: groups.collect(),
         };
-        show_in(&mut sheet, bins.map(|bins| bins.axis.unit(self.units)));
-        map_sheet(&Look::default(), &sheet)
+        show_in(&mut chart, bins.map(|bins| bins.axis.unit(self.units)));
+        map_chart(&Look::default(), &chart)
     }
 
     /// The marks of the sweep's map that are within the ranges of the same two axes.
@@ -154,7 +154,7 @@ impl Probabilities<'_> {
         MapGroup {
             heading: String::new(),
             scale: Some(format!(
-                "Part of the cases of a cell: {regime} ({})",
+                "Fraction of the cases of a cell: {regime} ({})",
                 names.join(", ")
             )),
             keys: keys(&cells),
@@ -183,14 +183,15 @@ impl Probabilities<'_> {
         let mut all = Vec::new();
         for (motion, methods) in self.motions() {
             for (method, counts) in methods {
-                let told = counts.iter().enumerate();
-                let told = told.filter_map(|(cell, &[with, of])| Some((cell, wilson(with, of)?)));
-                let told: Vec<_> = told.collect();
+                let intervals = counts.iter().enumerate();
+                let intervals =
+                    intervals.filter_map(|(cell, &[with, of])| Some((cell, wilson(with, of)?)));
+                let intervals: Vec<_> = intervals.collect();
                 let curve = |name: &str, end: fn(&Interval) -> f64| {
                     let of_cell = |(cell, interval): &(usize, Interval)| {
                         (place(*cell), 100.0 * end(interval))
                     };
-                    Series::new(name, told.iter().map(of_cell).collect())
+                    Series::new(name, intervals.iter().map(of_cell).collect())
                 };
                 let label = format!("{} by {method} (%)", self.regime(motion));
                 all.push(Panel {

@@ -1,4 +1,4 @@
-//! Classes of a quantity between round numbers, told apart by shade.
+//! Classes of a quantity between round numbers, distinguished by shade.
 
 use campaign::words::short;
 use plot::Fraction;
@@ -18,7 +18,7 @@ const MOST_IN_ONE: f64 = 0.7;
 /// Classes of the values between their ends.
 #[derive(Debug, PartialEq)]
 pub struct Classes {
-    /// In ascending order: of all values, the first is none above and the last none below.
+    /// In ascending order: no value is below the first or above the last.
     ends: Vec<f64>,
 }
 
@@ -161,7 +161,7 @@ mod tests {
                 "0 to 1", "1 to 2", "2 to 5", "5 to 10", "10 to 20", "20 to 50"
             ]
         );
-        // Amounts on both sides of zero have even classes whatever they are.
+        // Amounts on both sides of zero always have even classes.
         values.push(-40.0);
         assert_eq!(words(&values)[0], "-40 to -20");
     }

@@ -1,8 +1,8 @@
-//! A sheet of maps in the units that people read.
+//! A chart of maps in the units that people read.
 
 use campaign::quantities::{Axis, Unit, Units};
 use campaign::sweep_file::Spacing;
-use plot::{self, MapSheet};
+use plot::{self, MapChart};
 
 /// An axis of a map as it is drawn: logarithmic where values are spread evenly in the logarithm.
 pub fn plot_axis(axis: Axis, spacing: Spacing, units: Units) -> plot::Axis {
@@ -13,8 +13,8 @@ pub fn plot_axis(axis: Axis, spacing: Spacing, units: Units) -> plot::Axis {
     }
 }
 
-/// Puts every place on a sheet in these units of its axes.
-pub fn show_in(sheet: &mut MapSheet, [x, y]: [Unit; 2]) {
+/// Puts every place on a chart in these units of its axes.
+pub fn show_in(chart: &mut MapChart, [x, y]: [Unit; 2]) {
     let place = |at: &mut (f64, f64)| *at = (x.number(at.0), y.number(at.1));
     let range = |ends: &mut [[f64; 2]; 2]| {
         *ends = [
@@ -22,8 +22,8 @@ pub fn show_in(sheet: &mut MapSheet, [x, y]: [Unit; 2]) {
             ends[1].map(|end| y.number(end)),
         ];
     };
-    sheet.marks.iter_mut().for_each(|mark| place(&mut mark.at));
-    for panel in sheet.groups.iter_mut().flat_map(|group| &mut group.panels) {
+    chart.marks.iter_mut().for_each(|mark| place(&mut mark.at));
+    for panel in chart.groups.iter_mut().flat_map(|group| &mut group.panels) {
         (panel.cells.iter_mut()).for_each(|cell| range(&mut cell.ends));
         (panel.bands.iter_mut()).for_each(|band| range(&mut band.ends));
         (panel.names.iter_mut()).for_each(|name| place(&mut name.at));
@@ -61,7 +61,7 @@ mod tests {
             bands: vec![Band { name: name(), ends }],
             names: vec![Mark { name: name(), at }],
         };
-        let mut sheet = MapSheet {
+        let mut chart = MapChart {
             title: name(),
             axes: ["", ""].map(plot::Axis::linear),
             marks: vec![Mark { name: name(), at }],
@@ -75,12 +75,12 @@ mod tests {
             }],
         };
         show_in(
-            &mut sheet,
+            &mut chart,
             [Units::Field.of(&FORCE), Unit::unchanged("rpm")],
         );
-        let panel = &sheet.groups[0].panels[0];
+        let panel = &chart.groups[0].panels[0];
         let places = [
-            sheet.marks[0].at,
+            chart.marks[0].at,
             panel.points[0].at,
             panel.lines[0].points[0],
             panel.names[0].at,

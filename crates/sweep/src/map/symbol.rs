@@ -33,7 +33,7 @@ pub fn drawn_symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
     Some(if is_certain { symbol.filled() } else { symbol })
 }
 
-/// The symbol where so many of all methods find sustained vibration.
+/// The symbol where a number of the methods find sustained vibration.
 pub fn symbol_of_counts(sustained: usize, methods: usize) -> Symbol {
     if sustained == methods {
         Symbol::Circle

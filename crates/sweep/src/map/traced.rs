@@ -1,5 +1,5 @@
-//! A map of a traced design: regions up to its limits, and tiles of how large a part has the
-//! regime where a limit is no line.
+//! A map of a traced design: regions up to its limits, and tiles with the fraction of the regime
+//! where a limit is no line.
 
 use sim::Motion;
 use std::collections::{BTreeMap, BTreeSet};
@@ -17,7 +17,7 @@ use plot::{CellFill, Fraction, MapCell, MapPoint, Symbol};
 /// Cells of a map to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [400, 400];
 
-/// A traced design on a map, of so many methods.
+/// A traced design on a map, of a number of methods.
 pub struct TracedMap<'a> {
     /// What was found.
     pub limits: &'a TracedLimits<'a>,
@@ -122,10 +122,12 @@ impl TracedMap<'_> {
             let bands = methods
                 .clone()
                 .map(|method| self.limits.band_of(method, motion, tile));
-            let told: Vec<Band> = bands.filter(|band| band.told > 0).collect();
-            let parts = told.iter().map(|band| band.with as f64 / band.told as f64);
-            let mean = parts.sum::<f64>() / told.len() as f64;
-            (!told.is_empty()).then(|| (tile.ends(), Fraction::of(mean)))
+            let answered: Vec<Band> = bands.filter(|band| band.classified > 0).collect();
+            let parts = answered
+                .iter()
+                .map(|band| band.with as f64 / band.classified as f64);
+            let mean = parts.sum::<f64>() / answered.len() as f64;
+            (!answered.is_empty()).then(|| (tile.ends(), Fraction::of(mean)))
         };
         let widest = tiles.iter().filter(|tile| !is_within(tile));
         widest.copied().filter_map(of_tile).collect()

@@ -8,8 +8,8 @@ use super::words;
 use campaign::quantities::Units;
 use campaign::words::short;
 use plot::{
-    self, Band, CellFill, LineStyle, Look, MapGroup, MapPanel, MapSheet, Mark, Picture, Safety,
-    Series, map_sheet,
+    self, Band, CellFill, LineStyle, Look, MapChart, MapGroup, MapPanel, Mark, Picture, Safety,
+    Series, map_chart,
 };
 use results::window::{AXES, Best, Chart, Drawn, Limit, Region, Room, Standing};
 
@@ -17,13 +17,13 @@ use results::window::{AXES, Best, Chart, Drawn, Limit, Region, Room, Standing};
 const LEAST_SHARE: f64 = 0.005;
 
 /// The part of the weights at which the names of ranges of speed stand.
-const BESIDE: f64 = 0.12;
+const NAMES_AT: f64 = 0.12;
 
 /// What they are called.
 const NAMES: [&str; 6] = ["A", "B", "C", "D", "E", "F"];
 
 /// What is drawn.
-pub struct WindowSheet<'a> {
+pub struct WindowView<'a> {
     /// Title above all.
     pub title: String,
     /// What its numbers are shown in.
@@ -37,11 +37,11 @@ pub struct WindowSheet<'a> {
     /// The part of either axis by which that should be away from every limit.
     pub clearance: f64,
     /// What may shake the string and has no limit here.
-    pub not_looked_at: Vec<String>,
+    pub not_examined: Vec<String>,
 }
 
 /// Draws an operating window.
-pub fn window_picture(of: &WindowSheet) -> Picture {
+pub fn window_picture(of: &WindowView) -> Picture {
     let chart = of.chart;
     let mesh = Mesh::between(chart.edges.clone());
     let best = of.best.iter().map(|best| Mark {
@@ -66,7 +66,7 @@ pub fn window_picture(of: &WindowSheet) -> Picture {
             .collect(),
         ..MapPanel::default()
     };
-    let mut sheet = MapSheet {
+    let mut chart = MapChart {
         title: of.title.clone(),
         axes: AXES.map(|axis| plot::Axis::linear(axis.title(of.units))),
         marks: best.collect(),
@@ -75,12 +75,12 @@ pub fn window_picture(of: &WindowSheet) -> Picture {
             scale: None,
             keys: keys(chart),
             notes: Vec::new(),
-            below: [of.regions(), of.best(), of.limits(), of.not_looked_at()].concat(),
+            below: [of.regions(), of.best(), of.limits(), of.not_examined()].concat(),
             panels: vec![panel],
         }],
     };
-    show_in(&mut sheet, AXES.map(|axis| axis.unit(of.units)));
-    map_sheet(&Look::default(), &sheet)
+    show_in(&mut chart, AXES.map(|axis| axis.unit(of.units)));
+    map_chart(&Look::default(), &chart)
 }
 
 fn fill(standing: Standing) -> CellFill {
@@ -99,7 +99,7 @@ fn keys(chart: &Chart) -> Vec<(CellFill, String)> {
         (Standing::Clear, "safe: beyond the margin of every limit"),
         (
             Standing::Possible,
-            "safe unless whirl is set off, which can last here",
+            "safe unless whirl is triggered, which can last here",
         ),
         (Standing::Near, "within the margin of a limit"),
         (Standing::Against, "on the wrong side of a limit"),
@@ -201,20 +201,20 @@ fn names_of_bands(chart: &Chart, limit: &Limit) -> Vec<Mark> {
     let [least, most] = chart.range(0);
     let name = |([from, to], name): ([f64; 2], &str)| Mark {
         name: name.to_owned(),
-        at: (least + BESIDE * (most - least), 0.5 * (from + to)),
+        at: (least + NAMES_AT * (most - least), 0.5 * (from + to)),
     };
     ranges(chart, limit).into_iter().map(name).collect()
 }
 
-/// What is on the sheet, in words.
-impl WindowSheet<'_> {
+/// What the chart shows, in words.
+impl WindowView<'_> {
     /// Each limit, and how much of the map it takes.
     pub fn limits(&self) -> Vec<String> {
-        let told = |limit: &Limit| {
+        let in_words = |limit: &Limit| {
             let mut parts = Vec::new();
             for (standing, what) in [
                 (Standing::Against, "of the map on its wrong side"),
-                (Standing::Possible, "of the map, once begun"),
+                (Standing::Possible, "of the map, if triggered"),
                 (Standing::Near, "within its margin"),
                 (Standing::Undetermined, "not known"),
             ] {
@@ -224,11 +224,16 @@ impl WindowSheet<'_> {
                 }
             }
             if parts.is_empty() {
-                parts.push("clear of all of the map".to_owned());
+                parts.push("not reached anywhere on the map".to_owned());
             }
-            format!("{}: {} ({})", limit.name, parts.join(", "), limit.told)
+            format!(
+                "{}: {} ({})",
+                limit.name,
+                parts.join(", "),
+                limit.description
+            )
         };
-        self.chart.limits.iter().map(told).collect()
+        self.chart.limits.iter().map(in_words).collect()
     }
 
     /// The safe regions that have names.
@@ -236,18 +241,18 @@ impl WindowSheet<'_> {
         if self.regions.is_empty() {
             return vec!["nothing on the map is safe".to_owned()];
         }
-        let told = |(name, region): (&str, &Region)| {
+        let in_words = |(name, region): (&str, &Region)| {
             let [weights, speeds] =
                 [0, 1].map(|axis| words::ends(AXES[axis], region.ends[axis], self.units));
             let share = percent(region.share);
             let clear = match region.clear {
                 clear if clear > 0.999 * region.share => String::new(),
-                0.0 => ", though whirl could last in all of it once begun".to_owned(),
+                0.0 => ", though whirl, if triggered, could last in all of it".to_owned(),
                 clear => format!(", {} where whirl could not even last", percent(clear)),
             };
             format!("safe region {name}: {share} of the map{clear}, within {weights} and {speeds}")
         };
-        let mut all: Vec<String> = self.named_regions().map(told).collect();
+        let mut all: Vec<String> = self.named_regions().map(in_words).collect();
         let others = self.regions.len() - all.len();
         if others > 0 {
             let plural = if others == 1 { "" } else { "s" };
@@ -276,7 +281,7 @@ impl WindowSheet<'_> {
         };
         let whirl = match best.standing {
             Standing::Clear => "",
-            _ => "; safe unless whirl is set off",
+            _ => "; safe unless whirl is triggered",
         };
         let at_end = best.is_at_end(self.clearance, self.chart).then(|| {
             "it is at the edge of the map, beyond which nothing is known: extend the map to look \
@@ -288,15 +293,15 @@ impl WindowSheet<'_> {
     }
 
     /// What is not on the map.
-    pub fn not_looked_at(&self) -> Vec<String> {
-        let told = |what: &String| format!("not looked at: {what}");
-        self.not_looked_at.iter().map(told).collect()
+    pub fn not_examined(&self) -> Vec<String> {
+        let in_words = |what: &String| format!("not examined: {what}");
+        self.not_examined.iter().map(in_words).collect()
     }
 
     /// How far it is from the best point to what limits it.
     fn room(&self, best: &Best) -> String {
         let [[less, more], [slower, faster]] = &best.room;
-        let told = |axis: usize, room: &Room, way: &str| {
+        let in_words = |axis: usize, room: &Room, way: &str| {
             let distance = words::quantity(AXES[axis], room.distance, self.units);
             let to = match &room.limits[..] {
                 [] => "the end of the map".to_owned(),
@@ -305,10 +310,10 @@ impl WindowSheet<'_> {
             format!("{distance} {way} to {to}")
         };
         let all = [
-            told(0, less, "less"),
-            told(0, more, "more"),
-            told(1, slower, "slower"),
-            told(1, faster, "faster"),
+            in_words(0, less, "less"),
+            in_words(0, more, "more"),
+            in_words(1, slower, "slower"),
+            in_words(1, faster, "faster"),
         ];
         format!("around it: {}", all.join("; "))
     }

@@ -10,7 +10,7 @@ use sim::Motion;
 /// Digits of a value that is one of a few, and exact but for rounding.
 const EXACT: usize = 10;
 
-/// A number in so many significant digits, with a minus before it, not a hyphen.
+/// A number in a number of significant digits, with a minus sign, not a hyphen.
 fn in_digits(count: usize, value: f64) -> String {
     let rounded: f64 = format!("{value:.*e}", count - 1).parse().unwrap_or(value);
     rounded.to_string().replace('-', "−")
@@ -120,7 +120,7 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ce
     found
 }
 
-/// The meanings of symbols where it is told of each case if it is certain.
+/// The meanings of symbols where certainty is known for each case.
 fn by_certainty(meanings: [(Symbol, String); 4]) -> Vec<(Symbol, String)> {
     let of_symbol = |(symbol, meaning): (Symbol, String)| {
         let certain = symbol.filled();
@@ -155,7 +155,7 @@ pub fn scale(
 /// How many cases of a trace were simulated, and what the others are.
 fn of_grid(trace: &TraceSummary) -> String {
     let (cases, all) = (trace.simulated, trace.cases_of_grid);
-    format!("{cases} of {all} cases of a grid as fine, the others as those around")
+    format!("{cases} simulated cases (of {all} on the equivalent grid); the rest is filled in")
 }
 
 /// What the fills of a traced map tell that has tiles where its limit is no line.
@@ -164,7 +164,7 @@ pub fn ragged(motion: Motion, manifest: &Manifest, trace: &TraceSummary) -> Stri
     let methods = manifest.method_names();
     let mean = if methods.len() == 1 { "" } else { "mean of " };
     format!(
-        "Cases with {regime} ({mean}{}): all or none of a region, a part of a tile where the \
+        "Cases with {regime} ({mean}{}): all or none of a region, a fraction of a tile where the \
          limit is ragged; {}:",
         methods.join(", "),
         of_grid(trace)
@@ -172,14 +172,19 @@ pub fn ragged(motion: Motion, manifest: &Manifest, trace: &TraceSummary) -> Stri
 }
 
 /// How many cases a map does not show, and why.
-pub fn untold(contents: &[Content], motion: Motion) -> Option<String> {
-    let untold: usize = contents.iter().map(|content| content.untold).sum();
+pub fn undetermined(contents: &[Content], motion: Motion) -> Option<String> {
+    let undetermined: usize = contents.iter().map(|content| content.undetermined).sum();
     let cases: usize = contents.iter().map(|content| content.cases).sum();
     let why = match motion {
         Motion::Torsion => "no answer, or stuck to the end",
         Motion::Lateral => "no answer",
     };
-    (untold > 0).then(|| format!("not shown: {untold} of {cases} cases, undetermined ({why})"))
+    (undetermined > 0).then(|| {
+        format!(
+            "not shown: {undetermined} of {cases} cases, undetermined \
+                                        ({why})"
+        )
+    })
 }
 
 /// The marks that are outside of the map.
@@ -220,9 +225,9 @@ mod tests {
 
     #[test]
     fn values_carry_their_units() {
-        let told = |axis, value| quantity(axis, value, Units::Si);
-        assert_eq!(told(Axis::WeightOnBitKn, 123.456), "123 kN");
-        assert_eq!(told(Axis::FRICTION, -0.054321), "−0.0543");
+        let in_si = |axis, value| quantity(axis, value, Units::Si);
+        assert_eq!(in_si(Axis::WeightOnBitKn, 123.456), "123 kN");
+        assert_eq!(in_si(Axis::FRICTION, -0.054321), "−0.0543");
         let torques = ends(Axis::TorqueDynamicNm, [1.0, 2e3], Units::Si);
         assert_eq!(torques, "1 to 2000 N m");
         let speeds = ends(Axis::SurfaceSpeedRpm, [40.0; 2], Units::Si);
@@ -234,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn values_are_told_in_units_of_the_field() {
+    fn values_are_in_field_units() {
         let units = Units::Field;
         let weights = ends(Axis::WeightOnBitKn, [50.0, 200.0], units);
         assert_eq!(weights, "11.2 to 45 klbf");

@@ -9,7 +9,7 @@
 //   const sweep = await engine.open({ path, texts, sweep, methods });
 //       path: the sweep file's; texts: {path: text} of it and of every file that it names (a
 //       file is found by its name alone too). sweep: the resolved sweep of manifest.json,
-//       instead of the file's text. methods: such as it is to have besides its own.
+//       instead of the file's text. methods: those it is to have in addition to its own.
 //       Gives { title, methods, cases, axes, sites_from_bit_m, clearances_mm }.
 //   const answer = await engine.simulate({ case, values, set, method, full, quick });
 //       case: its number (0). values: one for each of the sweep's axes, in place of the case's

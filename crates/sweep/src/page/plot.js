@@ -52,7 +52,7 @@ const endsOf = (values, also) => {
   return [low - room, high + room];
 };
 
-/** Points of a line: where many lie within a third of a unit of the last, they are left out, as are those that are none. */
+/** Points of a line: where many lie within a third of a unit of the last, they are left out, as are invalid ones. */
 const thinned = (x, y, across, down) => {
   const points = [];
   let [left, top] = [NaN, NaN];

@@ -110,8 +110,9 @@ fn regimes(counts: &Counts, width: Option<f64>) -> Vec<Block> {
     ];
     if let Some(width) = width {
         blocks.push(Block::Text(format!(
-            "So many more make an interval no wider than {}, if the part stays what it is. A run \
-             whose `cases` are raised goes on from what is there.",
+            "The last column is the number of further cases for an interval no wider than {}, at \
+             the same fraction. A run \
+             whose `cases` are raised continues from the existing ones.",
             part(width)
         )));
     }
@@ -153,11 +154,11 @@ fn over_one(description: &str, bins: &Bins, sustained: &[[usize; 2]], units: Uni
     let caption = format!("{} over {}", capital(description), bins.axis.title(units));
     let mut table = Table::new(caption, ["range", "cases", "part", "from", "to"]);
     for (cell, range) in bins.ranges.iter().enumerate() {
-        let [count, told] = sustained[cell];
-        let Some(interval) = wilson(count, told) else {
+        let [count, classified] = sustained[cell];
+        let Some(interval) = wilson(count, classified) else {
             continue;
         };
-        let mut cells = vec![range_text(bins, *range, units), told.to_string()];
+        let mut cells = vec![range_text(bins, *range, units), classified.to_string()];
         cells.extend(ends(interval));
         table.rows.push(cells);
     }
@@ -173,7 +174,8 @@ fn over_two(
 ) -> Table {
     let [right, up] = [x, y].map(|bins| bins.axis.title(units));
     let caption = format!(
-        "{}, part of the cases, in cells that begin at so much; to the right {right}, upwards {up}",
+        "{}, fraction of the cases, in cells named by their lower ends; to the right {right}, \
+         upwards {up}",
         capital(description)
     );
     let begin = |bins: &Bins, range: &[f64; 2]| short(bins.axis.unit(units).number(range[0]));
@@ -181,8 +183,8 @@ fn over_two(
     let mut table = Table::new(caption, std::iter::once(String::new()).chain(columns));
     for (row, range) in y.ranges.iter().enumerate().rev() {
         let parts = (0..x.ranges.len()).map(|column| {
-            let [count, told] = sustained[column * y.ranges.len() + row];
-            let interval = wilson(count, told);
+            let [count, classified] = sustained[column * y.ranges.len() + row];
+            let interval = wilson(count, classified);
             interval.map_or_else(|| "–".to_owned(), |it| format!("{:.0} %", 100.0 * it.value))
         });
         let cells = std::iter::once(begin(y, range)).chain(parts);

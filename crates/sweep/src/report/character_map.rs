@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn an_uneven_grid_has_a_column_for_each_value_and_shared_ones_are_told() {
+    fn an_uneven_grid_has_a_column_for_each_value_and_shared_ones_are_marked() {
         let speeds = [1.0, 2.0, 4.0, 1000.0];
         let extent = Extent::example([&speeds, &[5.0]], 4);
         let mut cells = Cells::new(&extent, [64, 20]);

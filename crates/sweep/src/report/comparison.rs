@@ -27,7 +27,7 @@ pub enum Unlike {
 
 /// What two folders say of the cases that both answer.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Compared {
+pub struct FolderComparison {
     /// Rows of the same case and method with an answer in both.
     pub rows: usize,
     /// Those of them whose labels are not the same.
@@ -42,11 +42,11 @@ pub struct Compared {
 ///
 /// # Errors
 /// Where their labels cannot be read.
-pub fn compare(one: &Results, other: &Results) -> Result<Result<Compared, Unlike>> {
+pub fn compare(one: &Results, other: &Results) -> Result<Result<FolderComparison, Unlike>> {
     if one.manifest.axes != other.manifest.axes {
         return Ok(Err(Unlike::Axes));
     }
-    let mut compared = Compared::default();
+    let mut compared = FolderComparison::default();
     let axes = one.manifest.axes.iter();
     let units: Vec<Unit> = axes
         .map(|axis| axis.unit(one.manifest.sweep.units))
@@ -75,7 +75,7 @@ pub fn compare(one: &Results, other: &Results) -> Result<Result<Compared, Unlike
     Ok(Ok(compared))
 }
 
-impl Compared {
+impl FolderComparison {
     /// Adds a case, with values in the `units` of the axes.
     fn add(&mut self, ours: &CaseRows, theirs: &CaseRows, units: &[Unit]) {
         for our in ours.rows.iter().filter(|row| row.labels.is_answer()) {

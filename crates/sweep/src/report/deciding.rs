@@ -10,7 +10,8 @@ use results::folder::Manifest;
 
 /// From counts over each axis.
 pub fn of_cases(manifest: &Manifest, of_axes: &[Counts]) -> Vec<Block> {
-    let caption = "First-order indices of Sobol: the part of the variance that an axis explains \
+    let caption = "First-order indices of Sobol: the fraction of the variance that an axis \
+                   explains \
                    alone, with 95 % intervals";
     let header = ["method", "motion", "axis", "index", "from", "to"];
     let mut table = Table::new(caption, header);
@@ -72,7 +73,7 @@ pub fn of_blocks(manifest: &Manifest, methods: &[MethodBlocks]) -> Vec<Block> {
     }
     if are_tables {
         let mut note = format!(
-            "Of the variance of each, the part that an axis explains alone (first order, by \
+            "Of the variance of each, the fraction that an axis explains alone (first order, by \
              Saltelli 2010) and in all, with what it does together with others (by Jansen 1999), \
              with 95 % intervals from {DRAWN} draws of the blocks anew. What the first lack to 1 \
              together is what axes only do together; an axis that is 0 in all may be fixed."

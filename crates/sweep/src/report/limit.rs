@@ -34,7 +34,7 @@ pub enum Limited {
 
 /// The limit, and what lies on its two sides.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Limits {
+pub struct LimitChecks {
     /// What is limited.
     pub limited: Limited,
     /// A check for every method.
@@ -47,7 +47,7 @@ pub struct Limits {
     along: Option<usize>,
 }
 
-impl Limits {
+impl LimitChecks {
     /// Of these methods, without a case; none where there is no limit, or it is of a
     /// quantity that is the same in all cases.
     pub fn new(boundary: &Boundary, axes: &[Axis], methods: &[&str]) -> Option<Self> {
@@ -152,7 +152,7 @@ mod tests {
         });
         let axes = [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn];
         let boundary = Boundary::StickSlip(points.to_vec());
-        let mut limits = Limits::new(&boundary, &axes, &["a"]).expect("a limit");
+        let mut limits = LimitChecks::new(&boundary, &axes, &["a"]).expect("a limit");
         for (speed, label) in [
             (0.75, "stick_slip"),
             (1.65, "stick_slip"),

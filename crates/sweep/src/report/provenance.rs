@@ -16,7 +16,7 @@ pub fn time(all: &[Results]) -> Vec<Block> {
     let header = [
         "method",
         "built in",
-        "taps",
+        "length of responses, steps",
         "margin in torsion",
         "in bending",
         "I₀",
@@ -43,7 +43,7 @@ pub fn time(all: &[Results]) -> Vec<Block> {
     let varied = all.iter().filter(|results| results.manifest.strings > 1);
     blocks.extend(varied.map(|results| {
         Block::Text(format!(
-            "{} has {} distinct strings, each with systems of its own; those above are of the \
+            "{} has {} distinct strings, each with its own systems; those above are of the \
              string as the sweep file says it.",
             results.name, results.manifest.strings
         ))

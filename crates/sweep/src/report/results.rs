@@ -8,7 +8,7 @@ use sim::{Label, Motion};
 use super::agreement::Agreement;
 use super::character_map::character_map;
 use super::failures::Failures;
-use super::limit::Limits;
+use super::limit::LimitChecks;
 use super::live_map::{LiveMap, live_map};
 use crate::map::{Cells, Extent, symbol_of};
 use campaign::quantities::Axis;
@@ -32,7 +32,7 @@ pub struct Results {
     /// Whether the methods agree.
     pub agreement: Agreement,
     /// The boundary against the analytic limit, where there is one.
-    pub limits: Option<Limits>,
+    pub limits: Option<LimitChecks>,
     /// Cases without an answer.
     pub failures: Failures,
     /// How often each regime occurs, of random cases, where that was counted.
@@ -71,7 +71,7 @@ impl Results {
         Ok(())
     }
 
-    /// Draws the map for a page of so many folders, where it is of a whole sweep.
+    /// Draws the map for a page of a number of folders, where it is of a whole sweep.
     ///
     /// # Errors
     /// Where the tables cannot be read.
@@ -91,7 +91,7 @@ impl Results {
         let labels = tables.folder.join("labels.csv");
         let methods = manifest.method_names();
         let boundary = tables.boundary()?;
-        let mut limits = Limits::new(&boundary, &manifest.axes, &methods);
+        let mut limits = LimitChecks::new(&boundary, &manifest.axes, &methods);
         let motions = manifest.tally.motions();
         let mut agreement = Agreement::new(&methods, &motions);
         let mut map = MapCells::new(folder, &manifest, &labels)?;

@@ -3,7 +3,7 @@
 use sim::{Label, Motion};
 
 use super::analysed::analysed_sections;
-use super::comparison::{Compared, Unlike};
+use super::comparison::{FolderComparison, Unlike};
 use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, table_of};
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
@@ -13,7 +13,7 @@ use results::folder::Manifest;
 
 /// Everything there is to say of one folder, or of several side by side;
 /// `comparisons` are those of the first with each of the others.
-pub fn sections(all: &[Results], comparisons: &[Result<Compared, Unlike>]) -> Vec<Section> {
+pub fn sections(all: &[Results], comparisons: &[Result<FolderComparison, Unlike>]) -> Vec<Section> {
     let sections = [
         ("What was run", overview(all)),
         ("Regime map", maps(all)),
@@ -46,7 +46,7 @@ fn cases_of(manifest: &Manifest) -> String {
         ),
         None => counted(manifest.cases, "case"),
         Some(trace) => format!(
-            "Limits traced with {} of the {} of a grid as fine",
+            "Limits traced with {} of the {} of the equivalent grid",
             counted(trace.simulated, "case"),
             trace.cases_of_grid
         ),
@@ -310,7 +310,7 @@ fn limits(all: &[Results]) -> Vec<Block> {
         let Some(limits) = &results.limits else {
             let text = match results.tables.so_far {
                 None => "No limit is known for these cases.",
-                Some(_) => "The limit is told when the run is finished.",
+                Some(_) => "The limit is given when the run is finished.",
             };
             return note(all, results, text);
         };
@@ -371,7 +371,7 @@ fn failures(all: &[Results]) -> Vec<Block> {
     all.iter().map(of_folder).collect()
 }
 
-fn between(all: &[Results], comparisons: &[Result<Compared, Unlike>]) -> Vec<Block> {
+fn between(all: &[Results], comparisons: &[Result<FolderComparison, Unlike>]) -> Vec<Block> {
     let mut blocks = Vec::new();
     let Some((first, others)) = all.split_first() else {
         return blocks;

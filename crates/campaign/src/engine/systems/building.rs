@@ -3,104 +3,127 @@
 use anyhow::{Context, Result, bail};
 use linear::estimates::largest_undershoot;
 use linear::{
-    Budget, BuildError, Drillstring, Earlier, ImpulseTrains, Method, Request, ResponsePlan,
-    Responses, parallel,
+    Budget, BuildError, Earlier, ImpulseTrains, Method, Request, ResponsePlan, Responses, parallel,
 };
 use sim::excitation::reach_of_impulse;
 use sim::{Sampling, Simulator, SimulatorPlan};
 
 use super::MethodSystem;
+use crate::engine::dry_run;
 use crate::engine::finer::finer_frequency;
 use crate::engine::rubbing;
 use crate::engine::stepped::{self, stepped_by};
 use crate::engine::stopwatch::Stopwatch;
-use crate::engine::system_plan::SystemPlan;
+use crate::engine::system_plan::{Stepping, SystemPlan};
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
-impl MethodSystem {
-    /// Builds the system of every method of a sweep for one string.
-    ///
-    /// # Errors
-    /// Where a method cannot treat the string, or an impulse is given in
-    /// multiples of an I₀ that does not exist.
-    pub fn build_all(sweep: &Sweep, setting: &Setting, longest_time: f64) -> Result<Vec<Self>> {
-        // The first method's error, whichever was found first.
-        Self::build_each(sweep, setting, longest_time, &[])
-            .into_iter()
-            .collect()
+/// What the linear system of a method is built from. There is no other way to build one but
+/// [`MethodSystem::of`], of responses that are there already.
+#[derive(Debug, Clone, Copy)]
+pub struct Recipe<'a> {
+    /// The sweep whose cases it is for: what its impulses and measures need is checked and built,
+    /// too.
+    pub sweep: Option<&'a Sweep>,
+    /// The string, its sites and how it is sampled.
+    pub setting: &'a Setting,
+    /// By which method.
+    pub method: Method,
+    /// Whether a torque acts on the bit.
+    pub cuts: bool,
+    /// The longest time of its cases, s.
+    pub longest_time: f64,
+    /// What is there of it already.
+    pub basis: Basis<'a>,
+}
+
+/// What is there of a system before it is built.
+#[derive(Debug, Clone, Copy, Default)]
+pub enum Basis<'a> {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// The system of another string: what both have in common is not built again.
+    Earlier(&'a MethodSystem),
+    /// The trains of impulses of its string at any sampling frequency, for [`Method::Held`].
+    Trains(&'a ImpulseTrains),
+}
+
+impl<'a> Recipe<'a> {
+    /// For the cases of a sweep.
+    pub fn of(sweep: &'a Sweep, setting: &'a Setting, method: Method, longest_time: f64) -> Self {
+        Self {
+            sweep: Some(sweep),
+            ..Self::alone(setting, method, sweep.bit.is_some(), longest_time)
+        }
     }
 
-    /// As [`MethodSystem::build_all`], with an answer for each method: what one cannot
-    /// treat, another may. `earlier` are those of another string, where there are any, by
-    /// method: what the strings have in common is not built again.
+    /// For any cases; `cuts` says whether a torque acts on the bit.
+    pub fn alone(setting: &'a Setting, method: Method, cuts: bool, longest_time: f64) -> Self {
+        Self {
+            sweep: None,
+            setting,
+            method,
+            cuts,
+            longest_time,
+            basis: Basis::Nothing,
+        }
+    }
+
+    /// The same with the system of another string, where there is one.
+    pub fn after(self, earlier: Option<&'a MethodSystem>) -> Self {
+        Self {
+            basis: earlier.map_or(Basis::Nothing, Basis::Earlier),
+            ..self
+        }
+    }
+
+    /// The same with trains of impulses, where there are any.
+    pub fn with_trains(self, trains: Option<&'a ImpulseTrains>) -> Self {
+        Self {
+            basis: trains.map_or(Basis::Nothing, Basis::Trains),
+            ..self
+        }
+    }
+
+    /// Builds the system of every method of a sweep, or says why one has none: what it cannot
+    /// treat, another may. `earlier` are those of another string by method, or none.
     pub fn build_each(
         sweep: &Sweep,
         setting: &Setting,
         longest_time: f64,
-        earlier: &[Self],
-    ) -> Vec<Result<Self>> {
+        earlier: &[MethodSystem],
+    ) -> Vec<Result<MethodSystem>> {
         parallel::map(sweep.methods.len(), 1, |place| {
             let method = sweep.methods[place];
-            Self::build_after(sweep, setting, method, longest_time, earlier.get(place))
+            let recipe = Recipe::of(sweep, setting, method, longest_time);
+            recipe.after(earlier.get(place)).build()
         })
     }
 
-    /// Builds the system of one method for the cases of a sweep.
+    /// The trains of impulses that systems by [`Method::Held`] are made of at any sampling
+    /// frequency; `None` where nothing turns.
     ///
     /// # Errors
-    /// As [`MethodSystem::build_all`].
-    pub fn build_for(
-        sweep: &Sweep,
-        setting: &Setting,
-        method: Method,
-        longest_time: f64,
-    ) -> Result<Self> {
-        Self::build_after(sweep, setting, method, longest_time, None)
+    /// As [`Recipe::build`].
+    pub fn trains(&self) -> Result<Option<ImpulseTrains>> {
+        let request = self.plan().request();
+        Ok(ImpulseTrains::new(&self.setting.string, &request)?)
     }
 
-    /// The same after that of another string: what both have in common is not built again.
+    /// Builds the system.
     ///
     /// # Errors
-    /// As [`MethodSystem::build_all`].
-    pub fn build_after(
-        sweep: &Sweep,
-        setting: &Setting,
-        method: Method,
-        longest_time: f64,
-        earlier: Option<&Self>,
-    ) -> Result<Self> {
-        let cuts = sweep.bit.is_some();
-        // Elements that are stepped have no responses to take over.
-        let has_responses = |earlier: &&Self| stepped_by(&earlier.setting, &method).is_none();
-        let earlier = earlier.filter(has_responses);
-        let build = |string: &Drillstring, method: &Method, asked: &Request, budget: &Budget| {
-            let Some(earlier) = earlier else {
-                return ResponsePlan::new(string, method, asked)?.build(budget);
-            };
-            let before = SystemPlan {
-                setting: &earlier.setting,
-                method,
-                cuts,
-                longest_time: earlier.responses.longest_time,
-            };
-            let earlier = Earlier {
-                string: &earlier.setting.string,
-                request: &before.request(),
-                responses: &earlier.responses,
-            };
-            ResponsePlan::after(string, method, asked, earlier)?.build(budget)
+    /// Where the method cannot treat the string, trains are not of this setting, or an impulse of
+    /// the sweep is given in multiples of an I₀ that does not exist.
+    pub fn build(&self) -> Result<MethodSystem> {
+        let Some(sweep) = self.sweep else {
+            return self.build_alone();
         };
-        let plan = SystemPlan {
-            setting,
-            method: &method,
-            cuts,
-            longest_time,
-        };
-        let mut system = Self::build_by(&plan, build)
-            .with_context(|| format!("the responses by {} cannot be built", method.name()))?;
+        let method = self.method.name();
+        let mut system = (self.build_alone())
+            .with_context(|| format!("the responses by {method} cannot be built"))?;
         if sweep.finds_surface_torque() {
             system.follow_surface().with_context(|| {
-                let method = method.name();
                 format!("the torque at the surface by {method} cannot be built")
             })?;
         }
@@ -115,91 +138,93 @@ impl MethodSystem {
         Ok(system)
     }
 
-    /// Builds the system of one method; `cuts` says whether a torque acts on the
-    /// bit.
-    ///
-    /// # Errors
-    /// Where the method cannot treat the string.
-    pub fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
-        Self::build_with(setting, method, cuts, longest_time, None)
+    fn plan(&self) -> SystemPlan<'_> {
+        SystemPlan {
+            setting: self.setting,
+            method: &self.method,
+            cuts: self.cuts,
+            longest_time: self.longest_time,
+        }
     }
 
-    /// The trains of impulses that systems by [`Method::Held`] are made of at any sampling
-    /// frequency; `None` where nothing turns.
-    ///
-    /// # Errors
-    /// As [`MethodSystem::build`].
-    pub fn trains(
-        setting: &Setting,
-        cuts: bool,
-        longest_time: f64,
-    ) -> Result<Option<ImpulseTrains>> {
-        let plan = SystemPlan {
-            setting,
-            method: &Method::Held,
-            cuts,
-            longest_time,
-        };
-        Ok(ImpulseTrains::new(&setting.string, &plan.request())?)
-    }
-
-    /// As [`MethodSystem::build`], with such trains where they are there.
-    ///
-    /// # Errors
-    /// As [`MethodSystem::build`], and where the trains are not of this setting.
-    pub fn build_with(
-        setting: &Setting,
-        method: Method,
-        cuts: bool,
-        longest_time: f64,
-        trains: Option<&ImpulseTrains>,
-    ) -> Result<Self> {
-        let plan = SystemPlan {
-            setting,
-            method: &method,
-            cuts,
-            longest_time,
-        };
-        Self::build_by(&plan, |string, method, request, budget| match trains {
-            None => ResponsePlan::new(string, method, request)?.build(budget),
-            Some(trains) => {
-                ResponsePlan::with_trains(string, method, request, trains)?.build(budget)
-            }
-        })
-    }
-
-    /// Builds the system of one method from responses that are built in some way.
-    fn build_by(
-        plan: &SystemPlan,
-        responses: impl FnOnce(
-            &Drillstring,
-            &Method,
-            &Request,
-            &Budget,
-        ) -> Result<Responses, BuildError>,
-    ) -> Result<Self> {
+    /// The system without what only a sweep asks of it, within the memory that its dry run asks for.
+    fn build_alone(&self) -> Result<MethodSystem> {
         let start = Stopwatch::start();
-        let (setting, method, longest_time) = (plan.setting, plan.method, plan.longest_time);
-        // The dry run was held against the limit. What outlasts its plan is built all the same.
-        let budget = Budget::unlimited();
-        if let Some((lateral, parameters)) = stepped_by(setting, method) {
+        let plan = self.plan();
+        let (setting, longest_time) = (self.setting, self.longest_time);
+        if let Some((lateral, parameters)) = stepped_by(setting, &self.method) {
+            let budget = within(|budget| dry_run::ask(&plan, budget))?;
             let (responses, simulator) =
                 stepped::build(setting, lateral, &parameters, longest_time, &budget)?;
-            return Self::with(setting, responses, simulator, (start, &budget));
+            return MethodSystem::with(setting, responses, simulator, (start, &budget));
         }
-        let responses = responses(&setting.string, method, &plan.request(), &budget)?;
+        let request = plan.request();
+        let before = self.request_before();
+        let planned = self.response_plan(&request, before.as_ref())?;
+        let asked = (&request, &planned);
+        let budget = within(|budget| dry_run::ask_for_responses(&plan, asked, budget))?;
+        let responses = planned.build(&budget)?;
         let Some(friction) = &setting.friction else {
-            return Self::of_responses(setting, responses, (start, &budget));
+            return MethodSystem::of_responses(setting, responses, (start, &budget));
         };
         let (simulator, surface) =
             rubbing::build(setting, friction, longest_time, &responses, &budget)?;
-        Ok(Self {
+        Ok(MethodSystem {
             surface_torque: surface,
-            ..Self::with(setting, responses, simulator, (start, &budget))?
+            ..MethodSystem::with(setting, responses, simulator, (start, &budget))?
         })
     }
 
-    /// The system of responses, whoever made them, that were begun at a moment.
+    /// The system of another string, and what its responses were built from.
+    fn request_before(&self) -> Option<(&'a MethodSystem, Request)> {
+        let Basis::Earlier(earlier) = self.basis else {
+            return None;
+        };
+        // Elements that are stepped have no responses to take over.
+        let has_responses = stepped_by(&earlier.setting, &self.method).is_none();
+        let before = SystemPlan {
+            setting: &earlier.setting,
+            longest_time: earlier.responses.longest_time,
+            ..self.plan()
+        };
+        has_responses.then(|| (earlier, before.request()))
+    }
+
+    fn response_plan<'b>(
+        &'b self,
+        request: &'b Request,
+        before: Option<&'b (&MethodSystem, Request)>,
+    ) -> Result<ResponsePlan<'b>, BuildError> {
+        let (string, method) = (&self.setting.string, &self.method);
+        match (self.basis, before) {
+            (Basis::Trains(trains), _) => {
+                ResponsePlan::with_trains(string, method, request, trains)
+            }
+            (_, Some((earlier, before))) => {
+                let earlier = Earlier {
+                    string: &earlier.setting.string,
+                    request: before,
+                    responses: &earlier.responses,
+                };
+                ResponsePlan::after(string, method, request, earlier)
+            }
+            _ => ResponsePlan::new(string, method, request),
+        }
+    }
+}
+
+/// A budget of what is asked for in a dry run.
+///
+/// # Errors
+/// Those of the dry run.
+fn within(ask: impl FnOnce(&Budget) -> Result<Stepping, BuildError>) -> Result<Budget, BuildError> {
+    let asked = Budget::unlimited();
+    ask(&asked)?;
+    Ok(Budget::new(asked.need().peak.ceil()))
+}
+
+impl MethodSystem {
+    /// The system of responses that are there already; building them began at a moment.
     ///
     /// # Errors
     /// Where they are not those of a string.
@@ -247,15 +272,15 @@ impl MethodSystem {
     /// such a place of a sweep's list as certifies labels.
     ///
     /// # Errors
-    /// As [`MethodSystem::build`].
+    /// As [`Recipe::build`].
     pub fn with_finer(self, sweep: &Sweep, place: usize, longest_time: f64) -> Result<Self> {
         if !(sweep.certifying).is_some_and(|places| places.contains(&place)) {
             return Ok(self);
         }
         let frequency = finer_frequency(&self.setting, &self.method);
         let setting = self.setting.sampled_at(frequency);
-        let finer = Self::build(&setting, self.method, sweep.bit.is_some(), longest_time);
-        let finer = finer.with_context(|| {
+        let recipe = Recipe::alone(&setting, self.method, sweep.bit.is_some(), longest_time);
+        let finer = recipe.build().with_context(|| {
             let (method, frequency) = (self.method.name(), setting.sampling_frequency);
             format!("the responses by {method} at {frequency} Hz cannot be built")
         })?;
@@ -288,7 +313,10 @@ fn reaches(setting: &Setting, responses: &Responses) -> Vec<f64> {
     let Some((lateral, bending)) = setting.lateral.as_ref().zip(responses.bending()) else {
         return Vec::new();
     };
-    let sampling = Sampling::new(setting.sampling_frequency, responses.method.moment());
+    let sampling = Sampling::new(
+        setting.sampling_frequency,
+        responses.method.collocation_offset(),
+    );
     let of = |impulse: &ImpulseSettings| {
         let taps = bending.taps_between(impulse.site, impulse.site);
         reach_of_impulse(taps.unwrap_or_default(), sampling, impulse.duration)

@@ -39,20 +39,20 @@ fn field_units_are_those_of_the_program() {
     let chapter = PAGE.split("\n## Field units\n").nth(1).unwrap();
     let chapter = chapter.split("\n## ").next().unwrap();
     let cells = |line: &'static str| line.split('|').map(|cell| cell.trim().trim_matches('`'));
-    let mut told: Vec<([&str; 3], f64)> = (chapter.lines())
+    let mut listed: Vec<([&str; 3], f64)> = (chapter.lines())
         .filter(|line| line.starts_with("| `"))
         .map(|line| cells(line).collect::<Vec<_>>())
         .map(|cells| ([cells[1], cells[2], cells[5]], cells[3].parse().unwrap()))
         .collect();
     for twin in &TWINS {
         let row = [twin.twin, twin.units[1].trim_matches('`'), twin.si];
-        let place = told.iter().position(|&(cells, factor)| {
+        let place = listed.iter().position(|&(cells, factor)| {
             let off = factor / twin.factors[0] - 1.0;
             cells == row && off.abs() < 1e-8
         });
-        told.remove(place.unwrap_or_else(|| panic!("{} of {}", twin.twin, twin.si)));
+        listed.remove(place.unwrap_or_else(|| panic!("{} of {}", twin.twin, twin.si)));
     }
-    assert!(told.is_empty(), "{told:?}");
+    assert!(listed.is_empty(), "{listed:?}");
 }
 
 /// No key with such a unit is left out.
@@ -68,7 +68,7 @@ fn every_key_with_a_unit_has_its_twins() {
             let Some(stem) = name.strip_suffix(twin.si) else {
                 continue;
             };
-            // A part of its unit is none.
+            // A part of its unit is not a unit.
             if shown_as(&name).unwrap().units[0] != twin.units[0] {
                 continue;
             }

@@ -338,25 +338,25 @@ mod tests {
         ])
         .unwrap();
         assert_eq!(
-            found.passed_over,
+            found.ignored,
             ["thread", "cumulative_length_m", "Weight in mud (lbs)"]
         );
     }
 
-    /// They would be passed over, and the string be another.
+    /// They would be ignored, and the string would be another.
     #[test]
     fn units_that_are_not_known_are_refused_with_those_that_are() {
         for (name, words) in [
             (
                 "Weight (stone)",
-                "`Weight (stone)`: `stone` is none of the units known here: kg, lb, ",
+                "`Weight (stone)`: `stone` is not one of the known units: kg, lb, ",
             ),
-            ("weight_stone", "`weight_stone`: `stone` is none"),
+            ("weight_stone", "`weight_stone`: `stone` is not one"),
             ("Weight (hp)", "or kg/m, lb/ft"),
             ("Weight", "`Weight` names no unit: kg, lb"),
             (
                 "Length (yd)",
-                "`yd` is none of the units known here: m, ft, in, mm, cm",
+                "`yd` is not one of the known units: m, ft, in, mm, cm",
             ),
             ("OD", "`OD` names no unit: m, ft"),
         ] {

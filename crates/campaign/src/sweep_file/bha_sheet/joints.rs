@@ -3,8 +3,8 @@
 
 use toml::{Table, Value};
 
-use super::kind::Kind;
-use super::rows::Row;
+use super::kind::ToolKind;
+use super::rows::SheetRow;
 use crate::quantities::{Axis, INCH, LENGTH, StringAxis, TubeMeasure, Units};
 
 /// Length of a joint where the sheet does not count them: 31½ ft, range 2 with its tool
@@ -36,7 +36,7 @@ pub struct WeightCheck {
     /// What it is.
     pub name: String,
     /// What that says it is.
-    pub kind: Kind,
+    pub kind: ToolKind,
     /// Its mass less that of the dimensions as the sheet has them, as a part of the latter.
     pub excess: Option<f64>,
     /// What was made of it.
@@ -69,7 +69,7 @@ struct Part {
 }
 
 impl WeightCheck {
-    /// What its weight comes to, where it has one that is not that of its dimensions.
+    /// How its weight was treated, where it has one that differs from that of its dimensions.
     pub fn words(&self, units: Units) -> Option<String> {
         let per_cent = 100.0 * self.excess.filter(|excess| excess.abs() > SAME_WEIGHT)?;
         let weight = match per_cent {
@@ -108,7 +108,7 @@ impl Part {
 ///
 /// # Errors
 /// Which of its numbers is that of no tube; begins with its line.
-pub fn section(row: &Row, density: f64) -> Result<(Value, WeightCheck), String> {
+pub fn section(row: &SheetRow, density: f64) -> Result<(Value, WeightCheck), String> {
     let joints = row.joints.unwrap_or_else(|| {
         let many = row.length > LONGEST_JOINT;
         let usual = if many { row.length / USUAL_JOINT } else { 1.0 };
@@ -145,18 +145,18 @@ pub fn section(row: &Row, density: f64) -> Result<(Value, WeightCheck), String> 
         check(part).map_err(|reason| format!("{}: {reason}", row.line))?;
     }
     let touches = touching(row, &parts).map_err(|reason| format!("{}: {reason}", row.line))?;
-    let told = WeightCheck {
+    let check = WeightCheck {
         line: row.line,
         name: row.name.clone(),
         kind: row.kind,
         excess,
         made,
     };
-    Ok((table(row, joints, &parts, touches), told))
+    Ok((table(row, joints, &parts, touches), check))
 }
 
 /// The parts of a cell by the sheet's dimensions.
-fn given_parts(row: &Row, body: Part) -> Vec<Part> {
+fn given_parts(row: &SheetRow, body: Part) -> Vec<Part> {
     let joint = row.tool_joint;
     match (joint.outer_diameter, joint.length) {
         (Some(outer), Some(length)) => vec![
@@ -176,7 +176,7 @@ fn given_parts(row: &Row, body: Part) -> Vec<Part> {
 
 /// Pipe with tool joints as long as its weight asks for, where it is pipe, and they are not
 /// longer than any.
-fn equivalent(row: &Row, body: Part, joints: usize, excess: f64) -> Option<(Vec<Part>, Made)> {
+fn equivalent(row: &SheetRow, body: Part, joints: usize, excess: f64) -> Option<(Vec<Part>, Made)> {
     if excess < SAME_WEIGHT || !row.kind.is_pipe() {
         return None;
     }
@@ -240,7 +240,7 @@ fn check(part: &Part) -> Result<(), String> {
 }
 
 /// Which part of a cell has the row's blades, and their outer diameter (m): its widest.
-fn touching(row: &Row, parts: &[Part]) -> Result<Option<(usize, f64)>, String> {
+fn touching(row: &SheetRow, parts: &[Part]) -> Result<Option<(usize, f64)>, String> {
     let Some(blade) = row.blade_outer_diameter else {
         return Ok(None);
     };
@@ -258,7 +258,7 @@ fn touching(row: &Row, parts: &[Part]) -> Result<Option<(usize, f64)>, String> {
 
 /// As it would stand under `[[string.sections]]`, where a part touches the wall with blades of an
 /// outer diameter (m), if one does.
-fn table(row: &Row, joints: usize, parts: &[Part], touches: Option<(usize, f64)>) -> Value {
+fn table(row: &SheetRow, joints: usize, parts: &[Part], touches: Option<(usize, f64)>) -> Value {
     let parts = parts.iter().enumerate().map(|(index, part)| {
         let blade = touches.filter(|(touching, _)| *touching == index);
         let radii = [
@@ -288,11 +288,11 @@ mod tests {
     use super::super::rows::ToolJoint;
     use super::*;
 
-    fn pipe() -> Row {
-        Row {
+    fn pipe() -> SheetRow {
+        SheetRow {
             line: 2,
             name: "Drillpipe".to_owned(),
-            kind: Kind::Drillpipe,
+            kind: ToolKind::Drillpipe,
             joints: Some(10),
             outer_diameter: 0.127,
             inner_diameter: 0.1086,
@@ -313,40 +313,43 @@ mod tests {
         mass.sum::<f64>() * section["repeat"].as_integer().unwrap() as f64
     }
 
-    /// Whatever the weight, the section weighs as much, or is what the dimensions say.
+    /// For any weight, the section has that weight, or that of its dimensions.
     #[test]
     fn a_section_weighs_what_its_row_does() {
         let plain = section(&pipe(), 7850.0).unwrap();
         assert_eq!((plain.1.made, plain.1.excess), (Made::AsGiven, None));
         let body = mass_of(&plain.0);
         for part in [1.1, 1.25, 1.4] {
-            let row = Row {
+            let row = SheetRow {
                 mass: Some(part * body),
                 ..pipe()
             };
-            let (found, told) = section(&row, 7850.0).unwrap();
+            let (found, check) = section(&row, 7850.0).unwrap();
             assert!((mass_of(&found) / (part * body) - 1.0).abs() < 1e-12);
-            assert!((told.excess.unwrap() - (part - 1.0)).abs() < 1e-12);
-            assert!(matches!(told.made, Made::WithToolJoints { joints: 10, .. }));
+            assert!((check.excess.unwrap() - (part - 1.0)).abs() < 1e-12);
+            assert!(matches!(
+                check.made,
+                Made::WithToolJoints { joints: 10, .. }
+            ));
             assert_eq!(found["parts"].as_array().unwrap().len(), 2);
         }
         // Lighter than its body, far too heavy, or no pipe: as the dimensions say.
         for (name, part) in [("Drillpipe", 0.9), ("Drillpipe", 4.0), ("Collar", 1.2)] {
-            let row = Row {
+            let row = SheetRow {
                 name: name.to_owned(),
-                kind: Kind::of(name, ""),
+                kind: ToolKind::of(name, ""),
                 mass: Some(part * body),
                 ..pipe()
             };
-            let (found, told) = section(&row, 7850.0).unwrap();
-            assert_eq!(told.made, Made::AsGiven, "{name} {part}");
+            let (found, check) = section(&row, 7850.0).unwrap();
+            assert_eq!(check.made, Made::AsGiven, "{name} {part}");
             assert!((mass_of(&found) / body - 1.0).abs() < 1e-12);
         }
     }
 
     #[test]
     fn rows_of_many_joints_are_divided_and_tool_joints_that_are_given_are_kept() {
-        let row = Row {
+        let row = SheetRow {
             joints: None,
             tool_joint: ToolJoint {
                 outer_diameter: Some(0.168),
@@ -364,7 +367,7 @@ mod tests {
 
     #[test]
     fn blades_touch_where_a_joint_is_widest_and_weigh_nothing() {
-        let row = Row {
+        let row = SheetRow {
             mass: Some(3000.0),
             blade_outer_diameter: Some(0.2),
             ..pipe()
@@ -375,7 +378,7 @@ mod tests {
         assert!(parts[0].get("contact_radius_m").is_none());
         assert_eq!(parts[1]["contact_radius_m"].as_float(), Some(0.1));
         assert!((mass_of(&found) / 3000.0 - 1.0).abs() < 1e-12);
-        let narrow = Row {
+        let narrow = SheetRow {
             blade_outer_diameter: Some(0.12),
             ..pipe()
         };
@@ -386,7 +389,7 @@ mod tests {
 
     #[test]
     fn what_is_no_tube_is_refused_with_its_line() {
-        let wide = Row {
+        let wide = SheetRow {
             inner_diameter: 0.2,
             ..pipe()
         };

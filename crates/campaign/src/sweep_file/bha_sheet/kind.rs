@@ -2,7 +2,7 @@
 
 /// What a row is, as far as its name says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum ToolKind {
     /// The bit.
     Bit,
     /// Pipe with tool joints.
@@ -17,7 +17,7 @@ pub enum Kind {
     Unknown,
 }
 
-/// Tools that are more than a tube: their words, and what a person is told of them.
+/// Tools that are more than a tube: their words, and their name in messages.
 const NOT_MODELLED: [(&str, &str); 8] = [
     (" motor ", "a mud motor"),
     (" motors ", "a mud motor"),
@@ -105,7 +105,7 @@ const COLLARS: [&str; 7] = [
     " monel ",
 ];
 
-impl Kind {
+impl ToolKind {
     /// Of what a sheet calls it; where that says nothing, of what else is said of it.
     pub fn of(element: &str, specification: &str) -> Self {
         match Self::of_name(element) {
@@ -150,7 +150,7 @@ impl Kind {
 }
 
 /// Whether rows are from the bit up, where their kinds say that or the opposite.
-pub fn is_from_bit(kinds: &[Kind]) -> Option<bool> {
+pub fn is_from_bit(kinds: &[ToolKind]) -> Option<bool> {
     let mut heights = kinds.iter().filter_map(|kind| kind.height());
     let first = heights.next()?;
     match heights.next_back() {
@@ -171,7 +171,7 @@ pub fn is_from_bit(kinds: &[Kind]) -> Option<bool> {
 pub fn not_modelled(name: &str) -> Option<&'static str> {
     let words = words(name);
     let found = NOT_MODELLED.iter().find(|(word, _)| words.contains(word));
-    found.map(|(_, told)| *told)
+    found.map(|(_, name)| *name)
 }
 
 /// Words in small letters with blanks around, up to those that are of something else.
@@ -194,34 +194,34 @@ mod tests {
     #[test]
     fn rows_are_what_people_call_them() {
         for (name, kind) in [
-            ("DP", Kind::Drillpipe),
-            ("DP 5\" 19.5# S-135 NC50", Kind::Drillpipe),
-            ("drill-pipe", Kind::Drillpipe),
-            ("5in Drill Pipe", Kind::Drillpipe),
-            ("HW", Kind::HeavyWeight),
-            ("Hevi-Wate", Kind::HeavyWeight),
-            ("HWDP 5\" 49.3#", Kind::HeavyWeight),
-            ("Heavy weight drill pipe", Kind::HeavyWeight),
-            ("8\" DC", Kind::Collar),
-            ("Drill collar 8 in", Kind::Collar),
-            ("X-over DP to HWDP", Kind::Tool),
-            ("Jar below drillpipe", Kind::Tool),
-            ("Near bit stabilizer", Kind::Tool),
-            ("Bit sub", Kind::Tool),
-            ("MWD collar", Kind::Tool),
-            ("12 1/4 in PDC bit", Kind::Bit),
-            ("Mud motor", Kind::Tool),
-            ("Adapter", Kind::Unknown),
+            ("DP", ToolKind::Drillpipe),
+            ("DP 5\" 19.5# S-135 NC50", ToolKind::Drillpipe),
+            ("drill-pipe", ToolKind::Drillpipe),
+            ("5in Drill Pipe", ToolKind::Drillpipe),
+            ("HW", ToolKind::HeavyWeight),
+            ("Hevi-Wate", ToolKind::HeavyWeight),
+            ("HWDP 5\" 49.3#", ToolKind::HeavyWeight),
+            ("Heavy weight drill pipe", ToolKind::HeavyWeight),
+            ("8\" DC", ToolKind::Collar),
+            ("Drill collar 8 in", ToolKind::Collar),
+            ("X-over DP to HWDP", ToolKind::Tool),
+            ("Jar below drillpipe", ToolKind::Tool),
+            ("Near bit stabilizer", ToolKind::Tool),
+            ("Bit sub", ToolKind::Tool),
+            ("MWD collar", ToolKind::Tool),
+            ("12 1/4 in PDC bit", ToolKind::Bit),
+            ("Mud motor", ToolKind::Tool),
+            ("Adapter", ToolKind::Unknown),
         ] {
-            assert_eq!(Kind::of(name, ""), kind, "{name}");
+            assert_eq!(ToolKind::of(name, ""), kind, "{name}");
         }
-        assert_eq!(Kind::of("Adapter", "for 5 in DP"), Kind::Unknown);
-        assert_eq!(Kind::of("Item 1", "DP 5 in"), Kind::Drillpipe);
+        assert_eq!(ToolKind::of("Adapter", "for 5 in DP"), ToolKind::Unknown);
+        assert_eq!(ToolKind::of("Item 1", "DP 5 in"), ToolKind::Drillpipe);
     }
 
     #[test]
     fn tools_that_are_more_than_tubes_are_known_and_their_neighbours_not() {
-        for (name, told) in [
+        for (name, expected) in [
             ("Mud Motor 6 3/4", Some("a mud motor")),
             (
                 "Stabilizer: Rotary steerable with 12 1/8 in stabilizers",
@@ -231,13 +231,13 @@ mod tests {
             ("Sub for RSS", None),
             ("Drill collar", None),
         ] {
-            assert_eq!(not_modelled(name), told, "{name}");
+            assert_eq!(not_modelled(name), expected, "{name}");
         }
     }
 
     #[test]
     fn rows_say_which_end_is_the_bits() {
-        use Kind::{Bit, Collar, Drillpipe, HeavyWeight, Tool, Unknown};
+        use ToolKind::{Bit, Collar, Drillpipe, HeavyWeight, Tool, Unknown};
         for (kinds, is_from_bit) in [
             (&[Bit, Tool, Collar, Drillpipe][..], Some(true)),
             (&[Drillpipe, HeavyWeight, Collar, Tool, Bit], Some(false)),

@@ -17,29 +17,29 @@ use crate::tables::Table;
 use crate::words::counted;
 use columns::{NO_LENGTH, Quantity, SheetColumns, WANTED};
 use kind::{is_from_bit, not_modelled};
-use rows::{Row, rows_of};
+use rows::{SheetRow, rows_of};
 
 pub use joints::WeightCheck;
-pub use kind::Kind;
+pub use kind::ToolKind;
 
-/// What a sheet's weights come to, and what is passed over of it.
+/// How a sheet's weights were treated, and what is ignored of it.
 #[derive(Debug, Clone, Default)]
 pub struct SheetNotes {
     /// The sheet, as the file names it.
     pub file: String,
-    /// What each row with a weight comes to.
+    /// The check of each row with a weight.
     pub rows: Vec<WeightCheck>,
-    /// Names of columns that say nothing here.
-    pub passed_over: Vec<String>,
+    /// Names of columns that are not used.
+    pub ignored: Vec<String>,
     /// Lines below the headings that begin with `#`, which are comments.
     pub comments: Vec<usize>,
-    /// Lines that add up others, which are passed over.
+    /// Lines that add up others, which are ignored.
     pub totals: Vec<usize>,
     /// Whether the rows are from the bit up, where they say so themselves.
     pub order_inferred: Option<bool>,
 }
 
-/// Puts the sections of the sheet that the file names, if it does, in the place of its own.
+/// Replaces the sections of the file by those of the sheet that it names, if it does.
 ///
 /// # Errors
 /// Where the sheet cannot be read, lacks a column, or has a row that is no tube; the message
@@ -54,7 +54,7 @@ pub fn put_sections(
         source.refuse_if(is_idle, "string.order", message)?;
         return Ok(None);
     };
-    // What else is missing is told where the whole file is read.
+    // What else is missing is reported where the whole file is read.
     let density = source.value_at("string", "density_kg_m3");
     let Some(density) = density.and_then(number).filter(|density| *density > 0.0) else {
         return Ok(None);
@@ -68,7 +68,7 @@ pub fn put_sections(
         Some(order) => (None, order == "from-bit"),
         None if sheet.sections.len() == 1 => (None, false),
         None => {
-            let kinds: Vec<Kind> = sheet.rows.iter().map(|row| row.kind).collect();
+            let kinds: Vec<ToolKind> = sheet.rows.iter().map(|row| row.kind).collect();
             let Some(is_from_bit) = is_from_bit(&kinds) else {
                 let message = format!(
                     "{}: its rows do not say whether they are from the surface down or from the bit \
@@ -84,11 +84,11 @@ pub fn put_sections(
         sheet.sections.reverse();
         sheet.rows.reverse();
     }
-    source.put_beside("string", "file", "sections", Value::Array(sheet.sections));
+    source.put_next_to("string", "file", "sections", Value::Array(sheet.sections));
     Ok(Some(SheetNotes {
         file,
         rows: sheet.rows,
-        passed_over: sheet.passed_over,
+        ignored: sheet.ignored,
         comments: sheet.comments,
         totals: sheet.totals,
         order_inferred,
@@ -96,7 +96,7 @@ pub fn put_sections(
 }
 
 impl SheetNotes {
-    /// What the weights of rows come to that are not those of their dimensions.
+    /// How weights of rows that differ from those of their dimensions were treated.
     pub fn lines(&self, units: Units) -> impl Iterator<Item = String> {
         let words = move |row: &WeightCheck| Some(format!("{}: {}", row.name, row.words(units)?));
         self.rows.iter().filter_map(words)
@@ -108,12 +108,9 @@ impl SheetNotes {
             format!("{}:{}: {}: {words}", self.file, row.line, row.name)
         };
         let mut doubts = Vec::new();
-        if !self.passed_over.is_empty() {
-            let names = self.passed_over.join("`, `");
-            doubts.push(format!(
-                "{}: columns that say nothing here: `{names}`",
-                self.file
-            ));
+        if !self.ignored.is_empty() {
+            let names = self.ignored.join("`, `");
+            doubts.push(format!("{}: ignored columns: `{names}`", self.file));
         }
         for row in &self.rows {
             if row.is_doubtful() {
@@ -130,7 +127,7 @@ impl SheetNotes {
         doubts
     }
 
-    /// What was made of the sheet without being told.
+    /// What was inferred from the sheet.
     pub fn notes(&self) -> Vec<String> {
         let order = self.order_inferred.map(|is_from_bit| {
             let (order, key) = match is_from_bit {
@@ -145,23 +142,23 @@ impl SheetNotes {
         let comments =
             (!self.comments.is_empty()).then(|| comments_words(&self.file, &self.comments));
         let totals = self.totals.iter();
-        let totals = totals.map(|line| format!("{}:{line}: a total, passed over", self.file));
+        let totals = totals.map(|line| format!("{}:{line}: a total, ignored", self.file));
         order.into_iter().chain(comments).chain(totals).collect()
     }
 }
 
-/// How many lines of a table were passed over as comments.
+/// How many lines of a table were ignored as comments.
 pub fn comments_words(file: &str, lines: &[usize]) -> String {
     let first = lines.first().copied().unwrap_or_default();
     let count = counted(lines.len(), "line");
-    format!("{file}:{first}: {count} below the headings passed over as comments, which `#` begins")
+    format!("{file}:{first}: {count} below the headings ignored as comments, which begin with `#`")
 }
 
 /// A sheet, in its order.
 struct Sheet {
     sections: Vec<Value>,
     rows: Vec<WeightCheck>,
-    passed_over: Vec<String>,
+    ignored: Vec<String>,
     comments: Vec<usize>,
     totals: Vec<usize>,
 }
@@ -181,7 +178,7 @@ fn read(path: &Path, density: f64, text_of: TextOf) -> Result<Sheet, String> {
     if !has(Quantity::Length) && !has(Quantity::JointLength) {
         return Err(refused(NO_LENGTH.to_owned()));
     }
-    let (rows, totals): (Vec<Row>, _) =
+    let (rows, totals): (Vec<SheetRow>, _) =
         rows_of(&table, &columns).map_err(|reason| format!("{name}:{reason}"))?;
     if rows.is_empty() {
         return Err(format!("{name} has no row"));
@@ -192,7 +189,7 @@ fn read(path: &Path, density: f64, text_of: TextOf) -> Result<Sheet, String> {
     Ok(Sheet {
         sections,
         rows,
-        passed_over: columns.passed_over,
+        ignored: columns.ignored,
         comments: table.comments,
         totals,
     })

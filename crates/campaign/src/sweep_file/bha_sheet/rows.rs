@@ -1,18 +1,18 @@
 //! The rows of a sheet, in SI.
 
 use super::columns::{Quantity, SheetColumns};
-use super::kind::Kind;
+use super::kind::ToolKind;
 use crate::tables::{self, Table};
 
 /// A row of a sheet: some joints of one kind.
 #[derive(Debug, Clone)]
-pub struct Row {
+pub struct SheetRow {
     /// Its line.
     pub line: usize,
     /// What it is, as the sheet says.
     pub name: String,
     /// What that says it is.
-    pub kind: Kind,
+    pub kind: ToolKind,
     /// How many joints, where it says that.
     pub joints: Option<usize>,
     /// Outer diameter, m.
@@ -40,11 +40,14 @@ pub struct ToolJoint {
     pub length: Option<f64>,
 }
 
-/// Reads all rows but those of totals, whose lines are told apart.
+/// Reads all rows but those of totals, whose lines are listed separately.
 ///
 /// # Errors
 /// Which cell of which line is no number, or none.
-pub fn rows_of(table: &Table, columns: &SheetColumns) -> Result<(Vec<Row>, Vec<usize>), String> {
+pub fn rows_of(
+    table: &Table,
+    columns: &SheetColumns,
+) -> Result<(Vec<SheetRow>, Vec<usize>), String> {
     let readers = table.rows.iter().map(|row| RowReader { row, columns });
     let (totals, rows): (Vec<_>, Vec<_>) = readers.partition(RowReader::is_total);
     let rows = rows.iter().map(|reader| {
@@ -75,7 +78,7 @@ impl RowReader<'_> {
         is_empty(Quantity::OuterDiameter) && is_empty(Quantity::InnerDiameter) && says_so
     }
 
-    fn row(&self) -> Result<Row, String> {
+    fn row(&self) -> Result<SheetRow, String> {
         let joints = self.joints()?;
         let length = self.length(joints)?;
         let mass = self.given(Quantity::Mass)?;
@@ -83,10 +86,10 @@ impl RowReader<'_> {
         if mass.is_some() && linear_mass.is_some() {
             return Err("a mass and a mass per length: give one of them".to_owned());
         }
-        Ok(Row {
+        Ok(SheetRow {
             line: self.row.line,
             name: self.name(),
-            kind: Kind::of(
+            kind: ToolKind::of(
                 &self.text(Quantity::Element),
                 &self.text(Quantity::Specification),
             ),

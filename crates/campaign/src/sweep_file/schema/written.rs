@@ -241,6 +241,7 @@ fn add_base(schema: &mut Value, required: Value, rivals: &[Rivals]) {
 }
 
 /// What the key of another file means: it is read before the types are.
-const BASE: &str = "Another sweep file, beside this one, which gives everything that is not given \
+const BASE: &str = "Another sweep file, in the folder of this one, which gives everything that is \
+                    not given \
     here. A `[design]` replaces the base's as a whole, and so does any list, such as `sites`; of \
     other tables, each key does.";

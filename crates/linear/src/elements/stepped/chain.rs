@@ -35,14 +35,14 @@ struct Link<const D: usize> {
     factor_below: Block<D>,
 }
 
-/// Elements in a row with so many degrees of freedom at a node, their effective mass factorised.
+/// Elements in a row with D degrees of freedom at a node, their effective mass factorised.
 #[derive(Debug, Clone)]
 pub(super) struct Chain<const D: usize> {
     weights: Weights,
     links: Vec<Link<D>>,
 }
 
-/// The motion of a chain in so many planes, ready for the loads of a step.
+/// The motion of a chain in a number of planes, ready for the loads of a step.
 #[derive(Debug, Clone)]
 pub(super) struct ChainMotion<const D: usize, const P: usize> {
     nodes: Vec<NodeMotion<D, P>>,
@@ -64,7 +64,7 @@ pub(super) struct Column<const D: usize> {
 }
 
 impl<const D: usize> Chain<D> {
-    /// Of matrices that join neighbouring nodes only; the first node has so many degrees of
+    /// Of matrices that join neighbouring nodes only; the first node has `held` degrees of
     /// freedom less.
     ///
     /// # Errors

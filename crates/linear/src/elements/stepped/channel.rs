@@ -4,8 +4,8 @@ use super::chain::{Chain, ChainMotion, Column};
 use crate::elements::newmark::{Matrices, Weights};
 use crate::error::BuildError;
 
-/// A string in one channel, as elements with `FREEDOMS` degrees of freedom at a node, that moves
-/// in so many planes; its response to a load is that of the taps of the same elements.
+/// A string in one channel, as elements with `FREEDOMS` degrees of freedom at a node, that moves in
+/// `PLANES` planes; its response to a load is that of the taps of the same elements.
 #[derive(Debug, Clone)]
 pub struct SteppedChannel<const FREEDOMS: usize, const PLANES: usize> {
     weights: Weights,
@@ -28,7 +28,7 @@ pub(super) enum Seen {
 pub struct SteppedMotion<const FREEDOMS: usize, const PLANES: usize>(ChainMotion<FREEDOMS, PLANES>);
 
 impl<const FREEDOMS: usize, const PLANES: usize> SteppedChannel<FREEDOMS, PLANES> {
-    /// Of matrices whose first node has so many degrees of freedom less, with loads at some
+    /// Of matrices whose first node has `held` degrees of freedom less, with loads at some
     /// nodes.
     pub(super) fn new(
         matrices: &Matrices,
@@ -109,12 +109,12 @@ impl<const FREEDOMS: usize, const PLANES: usize> SteppedChannel<FREEDOMS, PLANES
         }
     }
 
-    /// Goes on to the next step.
+    /// Proceeds to the next step.
     pub(in crate::elements) fn advance(&self, motion: &mut SteppedMotion<FREEDOMS, PLANES>) {
         self.chain.advance(&mut motion.0);
     }
 
-    /// Taps of every site, so many, from a unit load at a site in the first step.
+    /// The first `count` taps of every site, from a unit load at a site in the first step.
     pub(crate) fn taps_from(&self, site: usize, count: usize) -> Vec<Vec<f64>> {
         let mut first = vec![0.0; count];
         first[0] = 1.0;

@@ -61,7 +61,7 @@ pub(crate) fn turned(
                 damping,
                 stiffness,
             };
-            // The surface is none of its nodes.
+            // The surface is not one of its nodes.
             (free, surface, 1)
         }
         Some(drive) => {

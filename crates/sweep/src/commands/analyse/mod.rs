@@ -14,10 +14,9 @@ use crate::cli::{AnalyseArguments, PictureFile};
 use crate::report::{analysed_sections, text};
 use campaign::quantities::Axis;
 use picture::{draw, refuse_absent, refuse_several};
-use results::analysis::{blocks, count_cases, size_of_blocks};
+use results::analysis::{Analysis, NoAnalysis, size_of_blocks};
 use results::files::write_atomically;
-use results::folder::ResultTables;
-use table::{COUNTS, INDICES, counts_csv, indices_csv};
+use table::{counts_csv, counts_header, indices_csv, indices_header};
 
 /// Refuses to write over what this command has not written.
 fn refuse_to_lose_any(arguments: &AnalyseArguments) -> Result<()> {
@@ -28,7 +27,8 @@ fn refuse_to_lose_any(arguments: &AnalyseArguments) -> Result<()> {
     });
     let counts = arguments.out.as_ref();
     let indices = arguments.indices.as_ref();
-    let (of_counts, of_indices) = ([COUNTS.as_bytes()], [INDICES.as_bytes()]);
+    let headers = [counts_header(), indices_header()];
+    let [of_counts, of_indices] = headers.each_ref().map(|header| [header.as_bytes()]);
     let files = [
         counts.map(|path| (path, Output::Beginning(&of_counts))),
         indices.map(|path| (path, Output::Beginning(&of_indices))),
@@ -46,30 +46,27 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
     let tables = (arguments.folders.iter())
         .map(|folder| tables_of(folder, terminal))
         .collect::<Result<Vec<_>>>()?;
-    refuse_strangers(arguments, &tables)?;
     let manifest = &tables[0].manifest;
-    if manifest.is_trace() {
-        let name = arguments.folders[0].display();
-        bail!(UsageError(format!(
-            "{name} holds a trace: its cases lie along limits, and their fractions say nothing of \
-             the map; limits.csv and bands.csv do"
-        )));
-    }
-    if tables.iter().all(|tables| tables.manifest.tally.rows == 0) {
-        let name = arguments.folders[0].display();
-        bail!(UsageError(format!("{name} has no case to count yet")));
-    }
     if arguments.indices.is_some() && size_of_blocks(manifest).is_none() {
         bail!(UsageError(
-            "--indices: the cases are not in blocks that tell them; `kind = \"sensitivity\"` makes \
+            "--indices: they need cases in blocks; `kind = \"sensitivity\"` makes \
              such"
                 .to_owned()
         ));
     }
     refuse_several(arguments)?;
-    let sets = sets_of_axes(arguments, &manifest.axes)?;
-    let counted = count_cases(&tables, &sets, usize::from(arguments.bins))?;
-    let blocks = blocks(&tables)?;
+    let by: Vec<Vec<Axis>> = arguments.by.iter().map(|axes| axes.0.clone()).collect();
+    let analysis = Analysis::of(
+        &arguments.folders,
+        &tables,
+        &by,
+        usize::from(arguments.bins),
+    );
+    let Analysis {
+        counts: counted,
+        blocks,
+        axes,
+    } = analysis.map_err(in_words)?;
     let width = arguments.width;
     let so_far = tables.iter().find_map(|tables| tables.so_far);
     let so_far = so_far.map_or_else(String::new, |so_far| format!(" ({so_far})"));
@@ -86,7 +83,7 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
         say(&format!("{}\n", path.display()))?;
     }
     if let Some(path) = &arguments.indices {
-        write_atomically(path, indices_csv(&manifest.axes, &blocks).as_bytes())?;
+        write_atomically(path, indices_csv(&axes, &blocks).as_bytes())?;
         say(&format!("{}\n", path.display()))?;
     }
     if let Some((file, counts)) = drawn {
@@ -95,45 +92,12 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
     Ok(Status::Complete)
 }
 
-/// Folders are counted together if they are different parts of one sweep.
-fn refuse_strangers(arguments: &AnalyseArguments, tables: &[ResultTables]) -> Result<()> {
-    let folders = arguments.folders.iter().zip(tables);
-    for (index, (folder, tables)) in folders.clone().enumerate() {
-        let manifest = &tables.manifest;
-        for (other, its_tables) in folders.clone().take(index) {
-            let its = &its_tables.manifest;
-            let why = if its.meaning_sha256 != manifest.meaning_sha256 || its.seed != manifest.seed
-            {
-                "are not of one sweep"
-            } else if its.shard.is_none() || its.shard == manifest.shard {
-                "hold the same cases"
-            } else {
-                continue;
-            };
-            bail!(UsageError(format!(
-                "{} and {} {why}: they are not counted together",
-                other.display(),
-                folder.display()
-            )));
-        }
-    }
-    Ok(())
-}
-
-/// No axis, each that differs, and what was asked for instead.
-fn sets_of_axes(arguments: &AnalyseArguments, known: &[Axis]) -> Result<Vec<Vec<Axis>>> {
-    let mut sets = vec![Vec::new()];
-    sets.extend(known.iter().map(|&axis| vec![axis]));
-    for axes in &arguments.by {
-        if let Some(stranger) = axes.0.iter().find(|axis| !known.contains(axis)) {
-            let names: Vec<String> = known.iter().map(|axis| axis.name()).collect();
-            bail!(UsageError(format!(
-                "--by: the cases do not differ in {}; they do in {}",
-                stranger.name(),
-                names.join(", ")
-            )));
-        }
-        sets.push(axes.0.clone());
-    }
-    Ok(sets)
+/// Why there is no analysis, in the words of the command line.
+fn in_words(error: NoAnalysis) -> anyhow::Error {
+    let message = match error {
+        NoAnalysis::Unreadable(error) => return error,
+        NoAnalysis::NoAxis { .. } => format!("--by: {error}"),
+        _ => error.to_string(),
+    };
+    UsageError(message).into()
 }

@@ -1,4 +1,4 @@
-//! The labels of a reference beside those that were found.
+//! The labels of a reference compared with those that were found.
 
 use std::collections::BTreeMap;
 
@@ -13,10 +13,10 @@ use limits::rolling_bound;
 use results::folder::LabelRow;
 
 /// Rows by the reference's numbers of cases and by method.
-pub type Found = BTreeMap<(usize, &'static str), Record>;
+pub type FoundRecords = BTreeMap<(usize, &'static str), Record>;
 
-/// A label of the reference beside the one that was found.
-pub struct Compared {
+/// A label of the reference and the one that was found.
+pub struct ComparedLabel {
     /// Line of the reference.
     pub line: usize,
     /// Number of its case.
@@ -36,8 +36,8 @@ pub fn compare(
     sweep: &Sweep,
     systems: &[MethodSystem],
     reference: &[LabelRow],
-    found: &Found,
-) -> Vec<Compared> {
+    found: &FoundRecords,
+) -> Vec<ComparedLabel> {
     let mut compared = Vec::new();
     for expected in reference {
         let Some(record) = found.get(&(expected.case, expected.method.as_str())) else {
@@ -50,7 +50,7 @@ pub fn compare(
             let differs = label != expected_label.name();
             let difference =
                 || difference(sweep, systems, expected, expected_label, record, &label);
-            compared.push(Compared {
+            compared.push(ComparedLabel {
                 line: expected.line,
                 case: expected.case,
                 method: expected.method.clone(),
@@ -90,7 +90,7 @@ fn difference(
     record: &Record,
     label: &str,
 ) -> String {
-    // Each string has a limit of its own, and none but that of the file is at hand.
+    // Each string has its own limit, and only that of the file is at hand.
     let distance = match expected_label.motion() {
         _ if sweep.design.varies_string() => None,
         Motion::Torsion => distance_in_torsion(sweep, systems, expected, record),
@@ -107,7 +107,7 @@ fn difference(
 fn distance_of_whirl(sweep: &Sweep, expected: &LabelRow) -> Option<String> {
     let conditions = sweep.conditions_at(&expected.values);
     let lateral = sweep.setting.lateral.as_ref()?;
-    // Each wall has a limit of its own, and none but that of the file is at hand.
+    // Each wall has its own limit, and only that of the file is at hand.
     if sweep
         .design
         .axes()

@@ -7,14 +7,14 @@ use anyhow::Result;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event};
 
-use super::comparison::Compared;
+use super::comparison::ComparedLabel;
 use campaign::printable::{is_noncharacter, printable};
 
 /// The document about the labels of a reference.
 ///
 /// # Errors
 /// Where memory does not take it.
-pub fn junit(reference: &Path, compared: &[Compared]) -> Result<String> {
+pub fn junit(reference: &Path, compared: &[ComparedLabel]) -> Result<String> {
     let reference = reference.display().to_string();
     let labels = compared.len().to_string();
     let different = compared.iter().filter(|label| label.difference.is_some());
@@ -44,7 +44,7 @@ pub fn junit(reference: &Path, compared: &[Compared]) -> Result<String> {
     Ok(String::from_utf8(writer.into_inner())? + "\n")
 }
 
-/// The document about a check that came to no label.
+/// The document about a check that failed before any label.
 ///
 /// # Errors
 /// Where memory does not take it.
@@ -73,7 +73,7 @@ pub fn junit_of_error(reference: &Path, error: &str) -> Result<String> {
 
 type Xml = Writer<Vec<u8>>;
 
-fn write_test(writer: &mut Xml, reference: &str, label: &Compared) -> Result<()> {
+fn write_test(writer: &mut Xml, reference: &str, label: &ComparedLabel) -> Result<()> {
     let motion = label.motion.name();
     let name = format!(
         "case {} by {}, {motion}: {}",

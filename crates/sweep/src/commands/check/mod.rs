@@ -3,7 +3,7 @@
 mod comparison;
 mod junit;
 mod reference;
-mod told;
+mod report;
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -19,13 +19,15 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::{CheckArguments, CheckFormat};
+use campaign::Campaign;
 use campaign::plan::Sweep;
 use campaign::records::Record;
-use comparison::{Found, compare};
+use campaign::text_file::read_text;
+use comparison::{FoundRecords, compare};
 use junit::junit_of_error;
 use reference::{cases_of, read_reference};
+use report::{CheckReport, annotation};
 use results::files::write_atomically;
-use told::{CheckReport, annotation};
 
 /// Reruns the cases of a reference file and compares their labels. What ends it before there is any
 /// is said in the format asked for, too: an output of an earlier check does not outlive it.
@@ -34,15 +36,15 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     let checked = compare_labels(arguments, terminal);
     if let Err(error) = &checked {
         let (reference, message) = (&arguments.reference, format!("{error:#}"));
-        let text = match arguments.told.format {
+        let text = match arguments.output.format {
             CheckFormat::Human => format!("error: {message}\n"),
             CheckFormat::Github => annotation(&arguments.file, &message),
             CheckFormat::Junit => junit_of_error(reference, &message)?,
         };
-        match &arguments.told.output {
+        match &arguments.output.output {
             Some(file) => write_atomically(file, text.as_bytes())?,
             // People read it on standard error.
-            None if arguments.told.format == CheckFormat::Human => {}
+            None if arguments.output.format == CheckFormat::Human => {}
             None => say(&text)?,
         }
     }
@@ -51,7 +53,7 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
 
 /// Refuses to write over what no check has written.
 fn refuse_to_lose_output(arguments: &CheckArguments) -> Result<()> {
-    let Some(path) = &arguments.told.output else {
+    let Some(path) = &arguments.output.output else {
         return Ok(());
     };
     let count = format!("{}: ", arguments.reference.display());
@@ -63,7 +65,7 @@ fn refuse_to_lose_output(arguments: &CheckArguments) -> Result<()> {
         b"error: ",
         count.as_bytes(),
     ];
-    let force = arguments.told.overwrite.force;
+    let force = arguments.output.overwrite.force;
     refuse_to_lose(path, Output::Beginning(&beginnings), force)
 }
 
@@ -71,8 +73,8 @@ fn compare_labels(arguments: &CheckArguments, terminal: Terminal) -> Result<Stat
     use_threads(arguments.jobs, terminal)?;
     warn_of_memory(&arguments.memory, terminal);
     let limit = arguments.memory.limit();
-    let sweep = Sweep::read(&arguments.file)?;
-    let sweep = choose(sweep, false, &limit, false, terminal)?;
+    let campaign = Campaign::open(&arguments.file, &[], &read_text)?;
+    let Campaign { sweep } = choose(campaign, false, &limit, false, terminal)?;
     let (reference, methods) = read_reference(&arguments.reference, &arguments.file, &sweep)?;
     let cases = cases_of(&sweep, &reference, &arguments.reference)?;
     let numbers: Vec<usize> = cases.keys().copied().collect();
@@ -86,20 +88,20 @@ fn compare_labels(arguments: &CheckArguments, terminal: Terminal) -> Result<Stat
     )?;
     let found = run_all(&listed, &numbers, terminal)?;
     let compared = compare(&listed.sweep, &listed.systems, &reference, &found);
-    let told = CheckReport {
+    let report = CheckReport {
         reference: &arguments.reference,
         margin: margin_of(&arguments.reference)?,
         compared: &compared,
     };
-    let text = told.in_format(arguments.told.format)?;
-    match &arguments.told.output {
+    let text = report.in_format(arguments.output.format)?;
+    match &arguments.output.output {
         Some(file) => {
             write_atomically(file, text.as_bytes())?;
-            say(&told.for_people())?;
+            say(&report.for_people())?;
         }
         None => say(&text)?,
     }
-    let differs = told.different().next().is_some();
+    let differs = report.different().next().is_some();
     Ok(if differs {
         Status::LabelsDiffer
     } else {
@@ -108,7 +110,7 @@ fn compare_labels(arguments: &CheckArguments, terminal: Terminal) -> Result<Stat
 }
 
 /// The rows of all cases, by the reference's numbers and by method.
-fn run_all(listed: &Listed, numbers: &[usize], terminal: Terminal) -> Result<Found> {
+fn run_all(listed: &Listed, numbers: &[usize], terminal: Terminal) -> Result<FoundRecords> {
     let found = Mutex::new(BTreeMap::new());
     let keep = |record: Record| {
         if let Ok(mut found) = found.lock() {

@@ -1,10 +1,10 @@
 //! Limits and bounds over the number of contacts, a panel for each string.
 
-use super::table::blow_name;
+use super::table::impulse_name;
 use crate::commands::prepare::unique;
 use crate::method_styles::method_style;
 use plot::{Axis, LineStyle, Look, Panel, Picture, Series, panels};
-use studies::contacts::{Bounds, Row};
+use studies::contacts::{Bounds, LimitRow};
 
 /// A bound by its name.
 type Bound = (&'static str, fn(&Bounds) -> Option<f64>);
@@ -16,7 +16,7 @@ const BOUNDS: [Bound; 3] = [
 ];
 
 /// Draws the limits that were found: by several methods, those of each.
-pub fn chart(rows: &[Row], lowest: f64) -> Picture {
+pub fn chart(rows: &[LimitRow], lowest: f64) -> Picture {
     let names: Vec<&str> = rows.iter().map(|row| row.string.as_str()).collect();
     let methods: Vec<&str> = rows.iter().map(|row| row.method.name()).collect();
     let several = unique(&methods).len() > 1;
@@ -33,9 +33,9 @@ pub fn chart(rows: &[Row], lowest: f64) -> Picture {
     )
 }
 
-fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
+fn panel(string: &str, rows: &[&LimitRow], lowest: f64, several: bool) -> Panel {
     let mut series: Vec<Series> = Vec::new();
-    let mut add = |name: String, style: LineStyle, row: &Row, friction: Option<f64>| {
+    let mut add = |name: String, style: LineStyle, row: &LimitRow, friction: Option<f64>| {
         let known = series.iter().position(|series| series.name == name);
         let place = known.unwrap_or_else(|| {
             series.push(Series::new(name, Vec::new()).styled(style));
@@ -52,7 +52,7 @@ fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
         }
     };
     for row in rows {
-        let mut name = blow_name(&row.blow, lowest);
+        let mut name = impulse_name(&row.impulse, lowest);
         let mut style = LineStyle::default();
         if several {
             let method = row.method.name();

@@ -18,7 +18,7 @@ use crate::cli::ContactsArguments;
 use campaign::memory::Size;
 use chart::chart;
 use results::files::write_atomically;
-use studies::contacts::{Row, Subject, memory, simulations, study};
+use studies::contacts::{LimitRow, StudiedString, memory, simulations, study};
 use subjects::subjects;
 use table::{columns, summary};
 
@@ -36,7 +36,7 @@ pub fn contacts(arguments: &ContactsArguments, terminal: Terminal) -> Result<Sta
         .map(|subject| study(subject, &|| progress.tick()))
         .collect();
     progress.finish();
-    let rows: Vec<Row> = studied?.into_iter().flatten().collect();
+    let rows: Vec<LimitRow> = studied?.into_iter().flatten().collect();
     write_atomically(
         &arguments.out.join("contacts.csv"),
         &csv_table(rows.iter().map(columns))?,
@@ -57,12 +57,12 @@ pub fn contacts(arguments: &ContactsArguments, terminal: Terminal) -> Result<Sta
 }
 
 /// Refuses what takes more memory than there may be.
-fn admit(subject: &Subject, arguments: &ContactsArguments) -> Result<()> {
+fn admit(subject: &StudiedString, arguments: &ContactsArguments) -> Result<()> {
     let bytes = memory(subject, rayon::current_num_threads())?;
     let limit = arguments.work.memory.limit();
     if bytes > limit.bytes {
         bail!(UsageError(format!(
-            "--counts: so many contacts for so many samples would take {} of memory by these \
+            "--counts: this number of contacts and samples would take {} of memory by these \
              methods; limit: {limit}",
             Size(bytes)
         )));

@@ -3,18 +3,18 @@
 use std::fmt::Write;
 
 use campaign::words::short;
-use studies::contacts::{Blow, Row};
+use studies::contacts::{LateralImpulse, LimitRow};
 
 /// The columns of the table: their names, and what a row has there.
-pub fn columns(row: &Row) -> [(&'static str, String); 22] {
+pub fn columns(row: &LimitRow) -> [(&'static str, String); 22] {
     let limit = row.limit.as_ref().ok();
     let lasts = limit.and_then(|limit| limit.lasts);
     let whirl = lasts.map(|(_, whirl)| whirl);
-    let (kind, knocked_at, ratio, per_metre) = match row.blow {
-        Blow::Knock {
+    let (kind, struck_at, ratio, per_metre) = match row.impulse {
+        LateralImpulse::Local {
             from_bit, ratio, ..
         } => ("knock", Some(from_bit), Some(ratio), None),
-        Blow::Along { per_metre, .. } => ("along", None, None, Some(per_metre)),
+        LateralImpulse::Distributed { per_metre, .. } => ("along", None, None, Some(per_metre)),
     };
     [
         ("string", row.string.clone()),
@@ -23,10 +23,10 @@ pub fn columns(row: &Row) -> [(&'static str, String); 22] {
         ("contacts", row.contacts.to_string()),
         ("spacing_m", row.spacing.to_string()),
         ("blow", kind.to_owned()),
-        ("knocked_at_m", known(knocked_at)),
+        ("knocked_at_m", known(struck_at)),
         ("knock_ratio", known(ratio)),
         ("impulse_n_s_m", known(per_metre)),
-        ("impulse_n_s", row.blow.amount().to_string()),
+        ("impulse_n_s", row.impulse.amount().to_string()),
         (
             "friction_whirls",
             known(lasts.map(|(friction, _)| friction)),
@@ -65,23 +65,23 @@ fn known<T: ToString>(value: Option<T>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
 }
 
-/// What a blow is called, whatever the string.
-pub fn blow_name(blow: &Blow, lowest: f64) -> String {
-    match blow {
-        Blow::Knock {
+/// The name of an impulse, on any string.
+pub fn impulse_name(impulse: &LateralImpulse, lowest: f64) -> String {
+    match impulse {
+        LateralImpulse::Local {
             from_bit, ratio, ..
         } if *from_bit == lowest => {
             format!("{ratio} I₀ at lowest contact")
         }
-        Blow::Knock {
+        LateralImpulse::Local {
             from_bit, ratio, ..
         } => format!("{ratio} I₀ at {from_bit} m"),
-        Blow::Along { per_metre, .. } => format!("{per_metre} N s/m all along"),
+        LateralImpulse::Distributed { per_metre, .. } => format!("{per_metre} N s/m all along"),
     }
 }
 
-/// The limits, a line for each string, method and blow and a column for each number of contacts.
-pub fn summary(rows: &[Row], lowest: f64) -> String {
+/// The limits, a line for each string, method and impulse and a column for each number of contacts.
+pub fn summary(rows: &[LimitRow], lowest: f64) -> String {
     let mut text = String::new();
     let mut lines: Vec<(String, Vec<String>)> = Vec::new();
     let mut counts: Vec<usize> = rows.iter().map(|row| row.contacts).collect();
@@ -92,7 +92,7 @@ pub fn summary(rows: &[Row], lowest: f64) -> String {
             "{}, {}, {}",
             row.string,
             row.method.name(),
-            blow_name(&row.blow, lowest)
+            impulse_name(&row.impulse, lowest)
         );
         let limit = match &row.limit {
             Err(_) => "?".to_owned(),

@@ -1,5 +1,5 @@
-//! `sweep export`: the labels of a results folder in another format. A run writes none of it: it
-//! goes on from its log, and its tables are CSV.
+//! `sweep export`: the labels of a results folder in another format. A run does not write it: it
+//! continues from its log, and its tables are CSV.
 
 #[cfg(feature = "parquet")]
 mod parquet;

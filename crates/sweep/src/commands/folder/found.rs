@@ -1,5 +1,4 @@
-//! What a results folder holds before a run, and whether the run may go on
-//! from it.
+//! What a results folder holds before a run, and whether the run may continue from it.
 
 use std::path::Path;
 
@@ -7,7 +6,7 @@ use anyhow::{Result, bail};
 
 use super::damage::refuse_lost;
 use super::names::{LOG, MANIFEST};
-use super::ours::Ours;
+use super::owned_files::OwnedFiles;
 use super::raise::with_our_number;
 use crate::commands::status::UsageError;
 use campaign::design::Design;
@@ -19,9 +18,9 @@ use results::log::{Header, LogError, Place};
 const MOST_DIFFERENCES: usize = 8;
 
 /// What is in a folder.
-pub enum Found {
+pub enum FolderState {
     /// Nothing that is in the way of a run, or only what it replaces.
-    Nothing(Ours),
+    Nothing(OwnedFiles),
     /// A stopped run of the same sweep.
     Unfinished {
         /// Whether it had fewer random cases.
@@ -33,21 +32,21 @@ pub enum Found {
     Fewer(Box<Manifest>),
 }
 
-/// Looks at a folder in which a run is to write; a `fresh` one goes on from nothing.
+/// Examines the folder in which a run is to write; a `fresh` run ignores what is there.
 ///
 /// # Errors
 /// Where it holds the results, or a part of them, of another sweep, shard or
 /// program; where its results are damaged; where it holds files of others that the
 /// run would replace.
-pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Result<Found> {
-    let ours = Ours::find(folder, header)?;
+pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Result<FolderState> {
+    let owned = OwnedFiles::find(folder, header)?;
     if !fresh {
         let log = folder.join(LOG);
-        match &ours.log {
+        match &owned.log {
             Place::Log(there) => {
                 let what = format!("{} holds a stopped run of", folder.display());
                 refuse_other(&what, &with_our_number(&what, there, header)?, header)?;
-                return Ok(Found::Unfinished {
+                return Ok(FolderState::Unfinished {
                     had_fewer: there.fingerprint != header.fingerprint,
                 });
             }
@@ -68,11 +67,11 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
     }
     let with_map = header.shard.is_whole() && sweep.map.is_some();
     let is_trace = matches!(sweep.design, Design::Trace(_));
-    ours.refuse_foreign(folder, with_map, is_trace)?;
-    Ok(Found::Nothing(ours))
+    owned.refuse_foreign(folder, with_map, is_trace)?;
+    Ok(FolderState::Nothing(owned))
 }
 
-fn complete(folder: &Path, header: &Header) -> Result<Found> {
+fn complete(folder: &Path, header: &Header) -> Result<FolderState> {
     let manifest = Manifest::read(folder)?;
     let there = header_of(&manifest)?;
     let what = format!("{} holds the results of", folder.display());
@@ -80,9 +79,9 @@ fn complete(folder: &Path, header: &Header) -> Result<Found> {
     refuse_lost(&manifest, folder)?;
     let manifest = Box::new(manifest);
     Ok(if there.fingerprint == header.fingerprint {
-        Found::Complete(manifest)
+        FolderState::Complete(manifest)
     } else {
-        Found::Fewer(manifest)
+        FolderState::Fewer(manifest)
     })
 }
 
@@ -95,21 +94,21 @@ pub fn header_of(manifest: &Manifest) -> Result<Header> {
     Ok(Header::new(program, shard, manifest.fingerprint()?))
 }
 
-fn refuse_other(what: &str, there: &Header, ours: &Header) -> Result<()> {
-    let other = if there.fingerprint != ours.fingerprint {
-        let all = differences(&there.fingerprint, &ours.fingerprint);
+fn refuse_other(what: &str, there: &Header, owned: &Header) -> Result<()> {
+    let other = if there.fingerprint != owned.fingerprint {
+        let all = differences(&there.fingerprint, &owned.fingerprint);
         let more = match all.len().saturating_sub(MOST_DIFFERENCES) {
             0 => String::new(),
             more => format!(", and {more} more"),
         };
         let shown = all[..all.len().min(MOST_DIFFERENCES)].join("; ");
         format!("another sweep ({shown}{more})")
-    } else if there.shard != ours.shard {
-        format!("shard {} of this sweep, not {}", there.shard, ours.shard)
-    } else if there.program != ours.program {
+    } else if there.shard != owned.shard {
+        format!("shard {} of this sweep, not {}", there.shard, owned.shard)
+    } else if there.program != owned.program {
         format!(
             "another program, {}, and this is {}",
-            there.program, ours.program
+            there.program, owned.program
         )
     } else {
         return Ok(());

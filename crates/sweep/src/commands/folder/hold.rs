@@ -38,8 +38,8 @@ pub fn hold(folder: &Path, file: &str, terminal: Terminal) -> Result<FolderLock>
     Ok(lock)
 }
 
-/// Removes what killed commands left in a folder that is only read, if nobody writes
-/// there and it can be written; it is in no one's way.
+/// Removes what killed commands left in a folder that is only read, if no other command writes
+/// there and the folder is writable.
 pub fn tidy(folder: &Path) {
     if has_left(folder).is_ok_and(|has_left| has_left)
         && let Ok(_lock) = FolderLock::take(folder)

@@ -12,7 +12,7 @@ pub fn results_folder(out: Option<&PathBuf>, sweep: &Sweep) -> PathBuf {
         .unwrap_or_else(|| Path::new("results").join(&sweep.name))
 }
 
-/// Makes a folder, and says which where it cannot be.
+/// Makes a folder; its error names the folder.
 ///
 /// # Errors
 /// Where it cannot be made.

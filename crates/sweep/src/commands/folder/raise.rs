@@ -77,7 +77,7 @@ pub fn log_of_results(folder: &Path, manifest: &Manifest, header: &Header) -> Re
         |why: &str| anyhow!("{why}; begin anew with --fresh, or choose another --out");
     if !manifest.files.contains_key(RECORDS) {
         let why = format!(
-            "{} holds no {RECORDS}, by which it could go on",
+            "{} holds no {RECORDS}, from which it could continue",
             folder.display()
         );
         bail!(not_written(&why));

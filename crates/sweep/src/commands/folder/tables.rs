@@ -2,29 +2,18 @@
 
 use std::path::Path;
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 
-use super::damage::refuse_damaged;
-use super::names::{LOG, MANIFEST};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
-use results::folder::ResultTables;
+use results::folder::{NoResults, ResultTables};
 
-/// Refuses a folder that is none, or has neither results nor a log.
+/// Refuses a path that is no folder, or a folder with neither results nor a log.
 ///
 /// # Errors
 /// What is missing.
 pub fn refuse_empty(folder: &Path) -> Result<()> {
-    let folder_name = folder.display();
-    if !folder.is_dir() {
-        bail!(UsageError(format!("{folder_name} is not a folder")));
-    }
-    if !folder.join(LOG).exists() && !folder.join(MANIFEST).exists() {
-        bail!(UsageError(format!(
-            "{folder_name} holds no results: there is no manifest.json in it"
-        )));
-    }
-    Ok(())
+    results::folder::refuse_empty(folder).map_err(in_words)
 }
 
 /// The tables of a folder: of a finished run, or of one that is not, as far as it is.
@@ -32,19 +21,13 @@ pub fn refuse_empty(folder: &Path) -> Result<()> {
 /// # Errors
 /// Where there are none, or they are not those that were written.
 pub fn tables_of(folder: &Path, terminal: Terminal) -> Result<ResultTables> {
-    refuse_empty(folder)?;
-    let log = folder.join(LOG);
-    if log.exists() {
-        let Some(tables) = ResultTables::so_far(&log)? else {
-            bail!(UsageError(format!(
-                "{} holds a run that has only just begun ({LOG}): the same `sweep run` as before \
-                 goes on with it",
-                folder.display()
-            )));
-        };
-        return Ok(tables);
+    let note = |note: String| terminal.complain(&format!("note: {note}"));
+    ResultTables::open(folder, note).map_err(in_words)
+}
+
+fn in_words(error: NoResults) -> anyhow::Error {
+    match error {
+        NoResults::Unreadable(error) => error,
+        _ => UsageError(error.to_string()).into(),
     }
-    let tables = ResultTables::finished(folder)?;
-    refuse_damaged(&tables.manifest, folder, terminal)?;
-    Ok(tables)
 }

@@ -5,7 +5,7 @@ use campaign::plan::{Sweep, WallSettings};
 use campaign::quantities::{INCH, LENGTH};
 use campaign::words::counted;
 
-/// Of more sites only so many, those next to the bit, have a line of their own.
+/// Of more sites only this number, those next to the bit, have a line each.
 const MOST_LINES: usize = 20;
 
 /// The clearance at each site where the hole decides it.

@@ -186,9 +186,9 @@ fn method_lines(system: &MethodSystem, units: Units) -> String {
     let (torque, impulse) = (units.of(&TORQUE), units.of(&IMPULSE));
     let mobility = Unit::unchanged("rad/s").per(&torque);
     let mut text = format!(
-        "  {}: {} ({:.2} s), built in {:.3} s\n",
+        "  {}: response of {} ({:.2} s), built in {:.3} s\n",
         system.method.name(),
-        counted(system.torsion_taps(), "tap"),
+        counted(system.torsion_taps(), "step"),
         system.torsion_taps() as f64 / system.responses.sampling_frequency,
         system.build_seconds,
     );
@@ -264,7 +264,7 @@ pub fn describe_left_out(sweep: &Sweep) -> String {
 /// What the cases of a run take.
 pub fn describe_work(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem]) -> String {
     let rule = match sweep.time {
-        AutoOr::Auto => "until the regime can be told",
+        AutoOr::Auto => "until the regime is decided",
         AutoOr::Given(_) => "given in the sweep file",
     };
     let mut text = format!(

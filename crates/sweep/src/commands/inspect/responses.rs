@@ -54,7 +54,7 @@ pub fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Pa
         let unit = units.of(&LENGTH).per(&units.of(&IMPULSE));
         let label = format!("Displacement at {site} (10⁻⁵ {})", unit.name);
         let factor = unit.number(1e5);
-        // Longer than the steps above, so with a range of its own.
+        // Longer than the steps above, so with its own range.
         list.push(time_panel(
             "after the impulse t",
             &label,

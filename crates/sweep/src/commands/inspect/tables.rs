@@ -19,8 +19,7 @@ use results::files::AtomicFile;
 /// Frequencies of a response, up to half the sampling frequency.
 const FREQUENCIES: usize = 2000;
 
-/// Rows of a table, of which there may be sites² times taps; more fill a disk, and nobody reads
-/// them.
+/// Rows of a table, of which there may be sites² times taps; more would fill a disk.
 const MOST_ROWS: usize = 20_000_000;
 
 const TAPS: &str = "method,motion,input,input_from_bit_m,output_from_bit_m,unit,tap,time_s,value\n";
@@ -54,7 +53,8 @@ pub fn write_tables(sweep: &Sweep, systems: &[MethodSystem], folder: &Path) -> R
     let rows: usize = responses.iter().map(|it| it.taps.len()).sum();
     if rows.max(2 * responses.len() * FREQUENCIES) > MOST_ROWS {
         bail!(UsageError(format!(
-            "--csv: {} responses of {rows} taps in all are more rows than {MOST_ROWS}: take fewer \
+            "--csv: {} responses of {rows} samples in all are more rows than {MOST_ROWS}: take \
+             fewer \
              sites or methods",
             responses.len()
         )));

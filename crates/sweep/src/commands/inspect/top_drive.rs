@@ -1,4 +1,4 @@
-//! What a top drive makes of the string: what comes back from it, and the lowest modes.
+//! The string below a top drive: its reflection coefficient, and the lowest modes.
 
 use std::f64::consts::TAU;
 
@@ -22,7 +22,7 @@ const POINTS: usize = 2000;
 /// The lower axis of both panels, which share its range.
 const FREQUENCY: &str = "Frequency f (Hz)";
 
-/// A string below a drive, looked at from the surface.
+/// A string below a drive, seen from the surface.
 pub struct DriveView<'a> {
     string: &'a Drillstring,
     drive: TopDrive,
@@ -101,7 +101,7 @@ impl<'a> DriveView<'a> {
     }
 
     fn mode_lines(&self) -> String {
-        let told = |mode: Option<&TorsionalMode>| {
+        let in_words = |mode: Option<&TorsionalMode>| {
             mode.map_or_else(String::new, |mode| {
                 let (frequency, damping) = (mode.frequency(), 100.0 * mode.damping_ratio());
                 format!("{frequency:.3} Hz, damping {damping:.1} %")
@@ -110,7 +110,7 @@ impl<'a> DriveView<'a> {
         let count = self.below_drive.len().max(self.surface_held.len());
         let lines = (0..count).map(|index| {
             let [below, held] = [&self.below_drive, &self.surface_held];
-            let [below, held] = [below, held].map(|modes| told(modes.get(index)));
+            let [below, held] = [below, held].map(|modes| in_words(modes.get(index)));
             format!("    {below:<29}{held}\n")
         });
         let title = "  modes of string and drive      with the surface held\n".to_owned();
@@ -119,7 +119,7 @@ impl<'a> DriveView<'a> {
 
     /// The reflection over frequency, and the damping of the modes below it.
     pub fn picture(&self, look: &Look, title: &str, shown: &[Panel]) -> Picture {
-        let title = format!("{title}: what comes back from the top drive");
+        let title = format!("{title}: reflection coefficient of the top drive");
         panels(look, &title, shown)
     }
 

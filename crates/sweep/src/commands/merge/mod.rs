@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, bail};
 
 use super::drawing::{Drawing, draw_and_note};
-use super::folder::{LOG, MANIFEST, Ours, hold, make_folder, remove_page};
+use super::folder::{LOG, MANIFEST, OwnedFiles, hold, make_folder, remove_page};
 use super::outcome::{status_of, summary};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
@@ -21,7 +21,7 @@ use results::folder::Manifest;
 use results::log::{Header, Place};
 use tables::join_tables;
 
-/// Missing shards are told in no more ranges of numbers than this.
+/// The most ranges of numbers in which missing shards are reported.
 const MOST_RANGES: usize = 100;
 
 /// Joins shards.
@@ -87,7 +87,7 @@ fn missing(finished: impl Iterator<Item = usize>, of: usize) -> String {
     });
     let mut ranges: Vec<String> = ranges.take(MOST_RANGES + 1).collect();
     if ranges.len() > MOST_RANGES {
-        ranges[MOST_RANGES] = " and more, told after these".to_owned();
+        ranges[MOST_RANGES] = " and more, reported after these".to_owned();
     }
     ranges.join(",")
 }
@@ -112,12 +112,12 @@ fn join(parts: &[Part], out: &Path) -> Result<Manifest> {
     Ok(manifest)
 }
 
-/// The results of something else are not replaced, nor is a run that goes on.
+/// Foreign results are not replaced, nor is an unfinished run.
 fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
     let merged = &parts[0].manifest;
     let header = Header::new(merged.program.clone(), Shard::WHOLE, merged.fingerprint()?);
-    let ours = Ours::find(out, &header)?;
-    if ours.log != Place::Free {
+    let owned = OwnedFiles::find(out, &header)?;
+    if owned.log != Place::Free {
         bail!(UsageError(format!(
             "{} holds a stopped run ({LOG}): finish it by the same `sweep run` as before, or choose \
              another --out",
@@ -133,7 +133,7 @@ fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
             )));
         }
     }
-    ours.refuse_foreign(out, merged.map.is_some(), false)
+    owned.refuse_foreign(out, merged.map.is_some(), false)
 }
 
 #[cfg(test)]
@@ -141,14 +141,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn missing_shards_are_told_in_ranges_and_only_the_first_of_very_many() {
-        let told = |finished: &[usize], of| missing(finished.iter().copied(), of);
-        assert_eq!(told(&[0, 2, 5], 9), "1,3-4,6-8");
-        assert_eq!(told(&[1, 2], 4), "0,3");
-        assert_eq!(told(&[0], usize::MAX), format!("1-{}", usize::MAX - 1));
+    fn missing_shards_are_reported_in_ranges_and_only_the_first_of_very_many() {
+        let ranges_of = |finished: &[usize], of| missing(finished.iter().copied(), of);
+        assert_eq!(ranges_of(&[0, 2, 5], 9), "1,3-4,6-8");
+        assert_eq!(ranges_of(&[1, 2], 4), "0,3");
+        assert_eq!(ranges_of(&[0], usize::MAX), format!("1-{}", usize::MAX - 1));
         let every_other: Vec<usize> = (0..1000).map(|index| 2 * index).collect();
-        let text = told(&every_other, 2000);
+        let text = ranges_of(&every_other, 2000);
         assert!(text.starts_with("1,3,5,") && text.len() < 500, "{text}");
-        assert!(text.ends_with(",199, and more, told after these"), "{text}");
+        assert!(
+            text.ends_with(",199, and more, reported after these"),
+            "{text}"
+        );
     }
 }

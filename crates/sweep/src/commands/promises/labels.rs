@@ -32,7 +32,7 @@ pub fn summary(tested: &[Tested]) -> String {
     let of_motion = |motion: Motion| {
         let is_of_motion = |one: &&Tested| one.problem.motion == motion;
         let of_motion: Vec<&Tested> = tested.iter().filter(is_of_motion).collect();
-        let told = |is_certain: bool| {
+        let in_words = |is_certain: bool| {
             let labels = of_motion.iter().filter(|one| one.is_certain == is_certain);
             let known: Vec<bool> = labels.clone().filter_map(|one| one.is_wrong()).collect();
             let wrong = known.iter().filter(|is_wrong| **is_wrong).count();
@@ -43,8 +43,8 @@ pub fn summary(tested: &[Tested]) -> String {
             "{}: {} near limits; certain: {}; not certain: {}",
             motion.name(),
             counted(of_motion.len(), "case"),
-            told(true),
-            told(false),
+            in_words(true),
+            in_words(false),
         );
         (!of_motion.is_empty()).then(|| wrapped(&words, 0, 2))
     };

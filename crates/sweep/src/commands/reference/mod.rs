@@ -1,7 +1,7 @@
 //! `sweep reference`: of a results folder the cases whose labels are far from changing, as a
 //! reference for `check`.
 
-mod beside;
+mod neighbours;
 mod table;
 
 use sim::Outcome;
@@ -19,13 +19,14 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::ReferenceArguments;
-use beside::{Beside, beside};
+use campaign::Campaign;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::records::Record;
 use campaign::sweep_file::per_cent;
 use campaign::text_file::read_text;
 use campaign::words::counted;
+use neighbours::{Neighbours, neighbours};
 use results::files::write_atomically;
 use results::folder::{CaseRows, Manifest, differences, fingerprint, read_cases};
 use table::{BEGINNING, reference_table};
@@ -48,7 +49,7 @@ pub fn reference(arguments: &ReferenceArguments, terminal: Terminal) -> Result<S
     let cases = read_cases(&labels, &manifest.axes)?.collect::<Result<Vec<_>>>()?;
     let of = cases.len();
     let cases: Vec<CaseRows> = cases.into_iter().filter(is_answered).collect();
-    let moved = beside(&sweep, &cases, &axes, arguments.margin);
+    let moved = neighbours(&sweep, &cases, &axes, arguments.margin);
     let kept = keeping_their_labels(sweep, cases, moved, arguments, terminal)?;
     let names: Vec<String> = axes.iter().map(|axis| axis.name()).collect();
     let margin = format!("{} % in {}", per_cent(arguments.margin), names.join(", "));
@@ -119,23 +120,18 @@ fn read_as_run(
         return Ok(Sweep::read_from(file, &manifest.sweep.methods, &read_text)?);
     }
     let limit = arguments.memory.limit();
-    choose(
-        Sweep::read(file)?,
-        manifest.options.full,
-        &limit,
-        false,
-        terminal,
-    )
+    let campaign = Campaign::open(file, &[], &read_text)?;
+    Ok(choose(campaign, manifest.options.full, &limit, false, terminal)?.sweep)
 }
 
 /// The axes that are changed: of those asked for, or of all, the ones that are no counts.
 fn axes_changed(sweep: &Sweep, along: &[Axis], folder: &Path) -> Result<Vec<Axis>> {
     let axes = sweep.design.axes();
-    if let Some(stranger) = along.iter().find(|axis| !axes.contains(axis)) {
+    if let Some(unknown) = along.iter().find(|axis| !axes.contains(axis)) {
         bail!(UsageError(format!(
             "{}: its cases do not differ in {}",
             folder.display(),
-            stranger.name()
+            unknown.name()
         )));
     }
     let is_wanted = |axis: &&Axis| along.is_empty() || along.contains(axis);
@@ -143,7 +139,7 @@ fn axes_changed(sweep: &Sweep, along: &[Axis], folder: &Path) -> Result<Vec<Axis
     let changed: Vec<Axis> = wanted.filter(|axis| !axis.is_counted()).collect();
     if changed.is_empty() {
         bail!(UsageError(format!(
-            "{}: no axis of it can be changed by a part of its value",
+            "{}: no axis of it can be changed by a fraction of its value",
             folder.display()
         )));
     }
@@ -154,15 +150,15 @@ fn is_answered(case: &CaseRows) -> bool {
     case.rows.iter().all(|row| row.labels.is_answer())
 }
 
-/// The cases that have the same labels by every method as those beside them.
+/// The cases that have the same labels by every method as their neighbours.
 fn keeping_their_labels(
     sweep: Sweep,
     cases: Vec<CaseRows>,
-    moved: Beside,
+    moved: Neighbours,
     arguments: &ReferenceArguments,
     terminal: Terminal,
 ) -> Result<Vec<CaseRows>> {
-    let Beside { of, values } = moved;
+    let Neighbours { of, values } = moved;
     if values.is_empty() {
         return Ok(Vec::new());
     }

@@ -58,7 +58,7 @@ fn trace(sweep: &Sweep) -> Option<String> {
     })
 }
 
-/// Methods beside one another.
+/// Methods compared with one another.
 fn methods(sweep: &Sweep) -> Option<String> {
     let count = sweep.methods.len();
     if sweep.certifying.is_some() {

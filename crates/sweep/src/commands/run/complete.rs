@@ -7,7 +7,7 @@ use super::systems::build_admitted;
 use super::task::Task;
 use crate::commands::drawing::{Drawing, draw_and_note};
 use crate::commands::folder::{
-    Found, MANIFEST, hold, in_words, remove_page, tell_if_unverified, tidy,
+    FolderState, MANIFEST, hold, in_words, remove_page, tell_if_unverified, tidy,
 };
 use crate::commands::outcome::{status_of, summary};
 use crate::commands::status::{Status, UsageError};
@@ -55,7 +55,7 @@ pub fn damage(task: &Task, manifest: &Manifest) -> Result<Vec<Damage>> {
 }
 
 fn looks_different(task: &Task, manifest: &Manifest) -> bool {
-    let sweep = &task.sweep;
+    let sweep = &task.campaign.sweep;
     let shown = (&manifest.title, &manifest.map, &manifest.sweep);
     shown != (&sweep.title, &sweep.map, &sweep.content)
 }
@@ -64,7 +64,7 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
     let folder = &task.folder;
     let _lock = hold(folder, MANIFEST, task.terminal)?;
     // What was found before the folder was locked may be another's work under way.
-    let Found::Complete(mut manifest) = task.look(false)? else {
+    let FolderState::Complete(mut manifest) = task.look(false)? else {
         bail!(
             "{} was changed by another command: give this one again",
             folder.display()
@@ -89,14 +89,14 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
             }
         }
     }
-    if let (Design::Trace(design), true) = (&task.sweep.design, is_damaged(&OF_TRACE)) {
+    if let (Design::Trace(design), true) = (&task.campaign.sweep.design, is_damaged(&OF_TRACE)) {
         write_traced(folder, design, &mut manifest)?;
     }
     let draws = looks_different(task, &manifest) || is_damaged(&PICTURES);
     if draws {
-        manifest.title.clone_from(&task.sweep.title);
-        manifest.map.clone_from(&task.sweep.map);
-        manifest.sweep = task.sweep.content.clone();
+        manifest.title.clone_from(&task.campaign.sweep.title);
+        manifest.map.clone_from(&task.campaign.sweep.map);
+        manifest.sweep = task.campaign.sweep.content.clone();
         // Until they are drawn, there are none.
         (PICTURES.iter()).for_each(|&name| drop(manifest.files.remove(name)));
     }
@@ -112,6 +112,7 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
 
 fn boundary_again(task: &Task) -> Result<Vec<u8>> {
     let systems = build_admitted(task)?;
-    let limit = boundary(&task.sweep, &systems).map_err(|error| UsageError(error.to_string()))?;
+    let limit =
+        boundary(&task.campaign.sweep, &systems).map_err(|error| UsageError(error.to_string()))?;
     Ok(boundary_csv(&limit).into_bytes())
 }

@@ -12,7 +12,7 @@ use std::time::Instant;
 
 use anyhow::Result;
 
-use super::folder::{Found, LOG, hold, make_folder};
+use super::folder::{FolderState, LOG, hold, make_folder};
 use super::status::Status;
 use super::stop;
 use super::terminal::{Terminal, say};
@@ -30,12 +30,12 @@ pub fn run(arguments: &RunArguments, terminal: Terminal) -> Result<Status> {
     let task = Task::read(arguments, terminal)?;
     match task.look(arguments.fresh)? {
         found if arguments.dry_run => tell_plan(&task, &found),
-        Found::Complete(manifest) => show_again(&task, *manifest),
-        _ => begin_or_go_on(&task, start),
+        FolderState::Complete(manifest) => show_again(&task, *manifest),
+        _ => begin_or_continue(&task, start),
     }
 }
 
-fn tell_plan(task: &Task, found: &Found) -> Result<Status> {
+fn tell_plan(task: &Task, found: &FolderState) -> Result<Status> {
     let text = plan::describe(task, found, &|| stop::asked().is_some())?;
     if let Some(status) = stop::asked() {
         return Ok(status);
@@ -44,7 +44,7 @@ fn tell_plan(task: &Task, found: &Found) -> Result<Status> {
     Ok(Status::Complete)
 }
 
-fn begin_or_go_on(task: &Task, start: Instant) -> Result<Status> {
+fn begin_or_continue(task: &Task, start: Instant) -> Result<Status> {
     let systems = Systems::build(task)?;
     make_folder(&task.folder)?;
     let lock = hold(&task.folder, LOG, task.terminal)?;

@@ -6,7 +6,7 @@ use super::cheaper::cheaper;
 use super::complete::damage;
 use super::task::Task;
 use crate::commands::cost::{cost_lines, probe};
-use crate::commands::folder::{Found, LOG, in_words};
+use crate::commands::folder::{FolderState, LOG, in_words};
 use campaign::design::{Design, TraceDesign};
 use campaign::engine::{finer_frequency, pairs_of};
 use campaign::memory::{Purpose, admit};
@@ -18,8 +18,8 @@ use results::log::LogView;
 ///
 /// # Errors
 /// Where it would take too much memory.
-pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<String> {
-    let sweep = &task.sweep;
+pub fn describe(task: &Task, found: &FolderState, stops: &dyn Fn() -> bool) -> Result<String> {
+    let sweep = &task.campaign.sweep;
     let is_trace = matches!(sweep.design, Design::Trace(_));
     let total = if is_trace {
         sweep.design.likely_cases() * sweep.methods.len()
@@ -27,17 +27,17 @@ pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<
         pairs_of(sweep, task.header.shard)
     };
     let (done, why) = match found {
-        Found::Complete(manifest) => (total.max(manifest.tally.rows), "complete already"),
-        Found::Unfinished { .. } => {
+        FolderState::Complete(manifest) => (total.max(manifest.tally.rows), "complete already"),
+        FolderState::Unfinished { .. } => {
             let (cases, methods) = (sweep.design.cases(), sweep.methods.len());
             let log = LogView::open(&task.folder.join(LOG), cases, methods)?;
-            (log.counts.done, "a stopped run goes on")
+            (log.counts.done, "a stopped run continues")
         }
-        Found::Fewer(manifest) => {
+        FolderState::Fewer(manifest) => {
             let why = "the sweep has more cases than are there";
             (manifest.tally.rows, why)
         }
-        Found::Nothing(_) => (0, "from the beginning"),
+        FolderState::Nothing(_) => (0, "from the beginning"),
     };
     let left = total - done.min(total);
     let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
@@ -45,7 +45,7 @@ pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<
     let all = counted(total, "simulation");
     let about = if is_trace && left > 0 { "perhaps " } else { "" };
     text += &format!("{about}{left} of {all} left: {why}\n");
-    if let Found::Complete(manifest) = found {
+    if let FolderState::Complete(manifest) = found {
         let damage = damage(task, manifest)?;
         if !damage.is_empty() {
             text += &format!("would be made again: {}\n", in_words(&damage));
@@ -65,7 +65,7 @@ pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<
 }
 
 fn cost(task: &Task, simulations: usize, stops: &dyn Fn() -> bool) -> Result<String> {
-    let (arguments, sweep, survey) = (task.arguments, &task.sweep, &task.survey);
+    let (arguments, sweep, survey) = (task.arguments, &task.campaign.sweep, &task.survey);
     let limit = arguments.work.memory.limit();
     let setting = sweep.setting.for_labels();
     let memory = admit(sweep, &setting, survey, Purpose::Labels, &limit)?;
@@ -75,7 +75,7 @@ fn cost(task: &Task, simulations: usize, stops: &dyn Fn() -> bool) -> Result<Str
 
 /// Cases, methods and folder.
 fn what_runs(task: &Task, total: usize) -> String {
-    let (sweep, shard) = (&task.sweep, task.header.shard);
+    let (sweep, shard) = (&task.campaign.sweep, task.header.shard);
     let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
     let part = if shard.is_whole() {
         String::new()
@@ -104,17 +104,20 @@ fn traced(design: &TraceDesign) -> String {
 }
 
 fn strings(task: &Task) -> String {
-    let strings = counted(task.sweep.design.strings(), "distinct string");
+    let strings = counted(task.campaign.sweep.design.strings(), "distinct string");
     let mut text = format!("{strings}, each built once\n");
     let impossible = task.survey.impossible_strings;
     if impossible > 0 {
-        text += &format!("{impossible} of them cannot be: their cases will fail\n");
+        text += &format!(
+            "{impossible} strings are invalid; their cases will be recorded as \
+                          failed\n"
+        );
     }
     text
 }
 
 fn times(task: &Task) -> String {
-    let (sweep, survey) = (&task.sweep, &task.survey);
+    let (sweep, survey) = (&task.campaign.sweep, &task.survey);
     let design = &sweep.design;
     let part = design.likely_cases() as f64 / design.cases() as f64;
     let frequency = sweep.setting.sampling_frequency;

@@ -16,11 +16,10 @@ use crate::commands::status::Status;
 use crate::commands::stop;
 use crate::commands::terminal::say;
 use crate::commands::warnings::{warn_of_broken_lines, warn_of_fronts, warn_of_unstable};
+use campaign::Run;
 use campaign::dependence::dependences;
-use campaign::design::{Design, TraceDesign};
-use campaign::engine::Work;
+use campaign::design::Design;
 use campaign::records::Record;
-use campaign::rounds::Rounds;
 use campaign::words::counted;
 use limits::boundary_csv;
 use results::files::write_with_checksum;
@@ -38,7 +37,7 @@ pub struct Session<'a> {
     start: Instant,
 }
 
-/// What is said of a run that does not come to its end.
+/// What is said of a run that is stopped before its end.
 #[derive(Clone)]
 struct SoFar {
     /// Simulations in all, where that is known beforehand.
@@ -51,7 +50,7 @@ impl SoFar {
     fn text(&self, done: usize) -> String {
         let Self { total, place } = self;
         let of = total.map_or_else(String::new, |total| format!(" of {total}"));
-        format!("{done}{of} simulations are done and kept in {place}: the same command goes on")
+        format!("{done}{of} simulations are done and kept in {place}: the same command continues")
     }
 }
 
@@ -62,14 +61,14 @@ impl<'a> Session<'a> {
     /// # Errors
     /// Where the log cannot be read or written.
     pub fn open(task: &'a Task, systems: &'a Systems, start: Instant) -> Result<Self> {
-        let sweep = &task.sweep;
+        let sweep = &task.campaign.sweep;
         let path = task.folder.join(LOG);
         let log = Log::open(&path, sweep.design.cases(), sweep.methods.len())?;
         let (file, options) = (&task.arguments.file, task.arguments.options());
-        let about = About::new(sweep, file, &task.header, options, &systems.methods)?;
+        let about = About::new(sweep, file, &task.header, options, &systems.built.methods)?;
         log.describe(serde_json::to_string(&about)?)?;
-        warn_of_unstable(&systems.methods, task.terminal);
-        warn_of_fronts(sweep, &systems.methods, task.terminal);
+        warn_of_unstable(&systems.built.methods, task.terminal);
+        warn_of_fronts(sweep, &systems.built.methods, task.terminal);
         warn_of_broken_lines(&log, task.terminal);
         Ok(Self {
             log: Arc::new(log),
@@ -89,8 +88,8 @@ impl<'a> Session<'a> {
     /// # Errors
     /// Where the log cannot be written; with `--fail-fast`, where a case has no answer.
     pub fn simulate(&self) -> Result<()> {
-        // Of a trace it is told again with each round.
-        let sweep = &self.task.sweep;
+        // Of a trace it is reported again with each round.
+        let sweep = &self.task.campaign.sweep;
         let likely = || sweep.design.likely_cases() * sweep.methods.len();
         let total = self.so_far.total.unwrap_or_else(likely);
         let (quiet, terminal) = (self.task.arguments.quiet, self.task.terminal);
@@ -103,10 +102,7 @@ impl<'a> Session<'a> {
                 log.close(|done| terminal.complain(&format!("stopped: {}", so_far.text(done))));
             }
         });
-        let worked = match &self.task.sweep.design {
-            Design::Trace(design) => self.simulate_rounds(design, &progress),
-            _ => self.simulate_open_cases(|_| true, |_| (), &progress),
-        };
+        let worked = self.simulate_open_cases(&progress);
         progress.finish();
         let kept = self.log.sync();
         worked.map_err(|error| self.with_so_far(&error))?;
@@ -121,39 +117,9 @@ impl<'a> Session<'a> {
         Ok(())
     }
 
-    /// Simulates what a trace wants, round by round; a signal ends it sooner.
-    fn simulate_rounds(&self, design: &TraceDesign, progress: &Progress) -> Result<()> {
-        let methods = self.task.sweep.methods.len();
-        let rounds = Rounds::new(design, methods);
-        self.log.in_order(|records| {
-            records.iter().for_each(|record| rounds.note(record));
-            Ok(())
-        })?;
-        while stop::asked().is_none()
-            && let Some(wanted) = rounds.wanted()
-        {
-            let is_done = self.log.done();
-            let pairs = wanted
-                .iter()
-                .flat_map(|case| (0..methods).map(|method| (*case, method)));
-            let open = pairs
-                .filter(|(case, method)| !is_done(*case, *method))
-                .count();
-            progress.expect(self.log.counts().done + open);
-            let is_wanted = |case: usize| wanted.binary_search(&case).is_ok();
-            self.simulate_open_cases(is_wanted, |record| rounds.note(record), progress)?;
-        }
-        Ok(())
-    }
-
-    /// Simulates the wanted cases that are not in the log yet, and lets `note` see each.
-    fn simulate_open_cases(
-        &self,
-        is_wanted: impl Fn(usize) -> bool + Sync,
-        note: impl Fn(&Record) + Sync,
-        progress: &Progress,
-    ) -> Result<()> {
-        let (arguments, sweep, log) = (self.task.arguments, &self.task.sweep, &self.log);
+    /// Simulates the cases that are not in the log yet; a signal ends it sooner.
+    fn simulate_open_cases(&self, progress: &Progress) -> Result<()> {
+        let (arguments, campaign, log) = (self.task.arguments, &self.task.campaign, &self.log);
         if arguments.fail_fast && log.counts().failed > 0 {
             bail!(
                 "{} without an answer already (--fail-fast)",
@@ -163,26 +129,30 @@ impl<'a> Session<'a> {
         let is_done = log.done();
         let keep = |record: Record| -> Result<()> {
             log.append(&record)?;
-            note(&record);
             progress.tick();
             match &record.outcome {
                 Err(reason) if arguments.fail_fast => bail!(
                     "case {} by {} has no answer: {reason} (--fail-fast)",
                     record.case,
-                    sweep.methods[record.method].name()
+                    campaign.sweep.methods[record.method].name()
                 ),
                 _ => Ok(()),
             }
         };
-        let work = Work {
-            sweep,
+        let run = Run {
             shard: self.task.header.shard,
             options: arguments.options(),
-            strings_at_once: self.systems.strings_at_once,
-            is_open: &|case, method| is_wanted(case) && !is_done(case, method),
+            is_done: &is_done,
+            earlier: &|note| {
+                log.in_order(|records| {
+                    records.iter().for_each(note);
+                    Ok(())
+                })
+            },
+            expect: &|more| progress.expect(log.counts().done + more),
             stops: &|| stop::asked().is_some(),
         };
-        work.run(&self.systems.methods, &keep)
+        campaign.run(&self.systems.built, &run, &keep)
     }
 
     /// From the log to the results. The log goes last: as long as it is there, the
@@ -218,16 +188,20 @@ impl<'a> Session<'a> {
 
     /// The tables of the run, and the manifest that speaks of them.
     fn write_tables(&self) -> Result<Manifest> {
-        let (arguments, sweep, folder) = (self.task.arguments, &self.task.sweep, &self.task.folder);
+        let (arguments, sweep, folder) = (
+            self.task.arguments,
+            &self.task.campaign.sweep,
+            &self.task.folder,
+        );
         let mut tables = TableWriter::create(&self.about, folder)?;
         self.log.in_order(|records| tables.add(records))?;
         let (tally, files) = tables.finish()?;
         let limit = boundary_csv(&self.systems.limit);
         let limit = write_with_checksum(&folder.join("boundary.csv"), limit.as_bytes())?;
-        let (shard, systems) = (self.task.header.shard, &self.systems.methods);
+        let (shard, systems) = (self.task.header.shard, &self.systems.built.methods);
         let mut manifest = Manifest::new(sweep, &self.task.header, arguments.options(), systems)?;
         (manifest.tally, manifest.files) = (tally, files);
-        if self.systems.sees_dependences {
+        if self.systems.built.memory.sees_dependences {
             manifest.depends_on = dependences(sweep, shard, arguments.options());
         }
         manifest.wall_seconds = self.start.elapsed().as_secs_f64();

@@ -11,12 +11,8 @@ use limits::{Boundary, boundary};
 
 /// What is built before the first case.
 pub struct Systems {
-    /// By method.
-    pub methods: Vec<MethodSystem>,
-    /// As many strings as memory allows are built at once.
-    pub strings_at_once: usize,
-    /// Whether memory allows to see what labels depend on.
-    pub sees_dependences: bool,
+    /// The linear systems.
+    pub built: RunSystems,
     /// The analytic limit.
     pub limit: Boundary,
 }
@@ -27,15 +23,14 @@ impl Systems {
     /// # Errors
     /// Where they take more, or a method cannot treat the string.
     pub fn build(task: &Task) -> Result<Self> {
-        let (arguments, sweep) = (task.arguments, &task.sweep);
+        let (arguments, campaign) = (task.arguments, &task.campaign);
         let limit = arguments.work.memory.limit();
-        let built = RunSystems::build(sweep, &task.survey, arguments.options(), &limit);
-        let RunSystems { methods, memory } = built.map_err(|error| in_words(task, error))?;
+        let built = campaign.build(&task.survey, arguments.options(), &limit);
+        let built = built.map_err(|error| in_words(task, error))?;
+        let limit = boundary(&campaign.sweep, &built.methods);
         Ok(Self {
-            limit: boundary(sweep, &methods).map_err(|error| UsageError(error.to_string()))?,
-            strings_at_once: memory.strings_at_once,
-            sees_dependences: memory.sees_dependences,
-            methods,
+            limit: limit.map_err(|error| UsageError(error.to_string()))?,
+            built,
         })
     }
 }
@@ -46,13 +41,13 @@ impl Systems {
 /// Where a run takes more memory than is allowed, or a method cannot treat the string.
 pub fn build_admitted(task: &Task) -> Result<Vec<MethodSystem>> {
     let limit = task.arguments.work.memory.limit();
-    let built = RunSystems::admitted(&task.sweep, &task.survey, &limit);
+    let built = RunSystems::admitted(&task.campaign.sweep, &task.survey, &limit);
     Ok(built.map_err(|error| in_words(task, error))?.methods)
 }
 
 /// Why a run does not begin, in the words of the command line.
 fn in_words(task: &Task, error: RunError) -> anyhow::Error {
-    let (arguments, sweep) = (task.arguments, &task.sweep);
+    let (arguments, sweep) = (task.arguments, &task.campaign.sweep);
     match error {
         RunError::Memory(error) => error,
         RunError::Systems(error) => naming_file(&arguments.file, error),

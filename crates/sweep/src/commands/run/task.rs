@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 
 use crate::cli::RunArguments;
-use crate::commands::folder::{Found, LOG, log_of_results, look, raise_log, results_folder};
-use crate::commands::prepare::{read_sweep, survey_cases};
+use crate::commands::folder::{FolderState, LOG, log_of_results, look, raise_log, results_folder};
+use crate::commands::prepare::{open, survey_cases};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 
@@ -14,7 +14,7 @@ use crate::commands::warnings::{warn_of_limits, warn_of_sweep};
 use crate::program::PROGRAM;
 use campaign::design::Design;
 use campaign::engine::{Shard, Survey};
-use campaign::plan::Sweep;
+use campaign::{Campaign, NoRun};
 use results::folder::{Manifest, fingerprint};
 use results::log::{Header, Log};
 
@@ -22,10 +22,10 @@ use results::log::{Header, Log};
 pub struct Task<'a> {
     /// What was asked for.
     pub arguments: &'a RunArguments,
-    /// Where it is told of.
+    /// Where it is reported.
     pub terminal: Terminal,
     /// The sweep.
-    pub sweep: Sweep,
+    pub campaign: Campaign,
     /// How long its cases take.
     pub survey: Survey,
     /// What a log of the run begins with, its part of the sweep too.
@@ -43,27 +43,26 @@ impl<'a> Task<'a> {
         let RunArguments {
             file, work, quiet, ..
         } = arguments;
-        let sweep = read_sweep(file, work, arguments.full, *quiet, terminal)?.for_run()?;
-        if sweep.certifying.is_some() && arguments.allow_unstable {
-            bail!(UsageError(
-                "--allow-unstable: methods that chatter certify nothing; leave it out, or \
-                 `certify` in the sweep file"
-                    .to_owned()
-            ));
-        }
+        let campaign = open(file, work, arguments.full, *quiet, terminal)?;
+        let campaign = campaign.for_run(arguments.options());
+        let campaign = campaign.map_err(|error| match error {
+            NoRun::File(error) => error.into(),
+            NoRun::CertifiesNothing => anyhow::Error::from(UsageError(error.to_string())),
+        })?;
+        let sweep = &campaign.sweep;
         if !quiet {
-            warn_of_sweep(&sweep, terminal);
-            warn_of_limits(&sweep, terminal);
+            warn_of_sweep(sweep, terminal);
+            warn_of_limits(sweep, terminal);
         }
         let shard = arguments.shard.unwrap_or(Shard::WHOLE);
         if matches!(sweep.design, Design::Trace(_)) && !shard.is_whole() {
             bail!(UsageError(
-                "--shard: a trace is not split, for where it goes on hangs on all its cases"
+                "--shard: a trace is not split, because its next cases depend on all that are done"
                     .to_owned()
             ));
         }
-        let survey = survey_cases(file, &sweep)?;
-        let mut folder = results_folder(arguments.out.as_ref(), &sweep);
+        let survey = survey_cases(file, &campaign)?;
+        let mut folder = results_folder(arguments.out.as_ref(), sweep);
         if arguments.out.is_none() && !shard.is_whole() {
             folder.push(format!("shard-{}-of-{}", shard.index, shard.of));
         }
@@ -71,22 +70,22 @@ impl<'a> Task<'a> {
             header: Header::new(
                 PROGRAM.to_owned(),
                 shard,
-                fingerprint(&sweep, arguments.options())?,
+                fingerprint(sweep, arguments.options())?,
             ),
             arguments,
             terminal,
-            sweep,
+            campaign,
             survey,
             folder,
         })
     }
 
-    /// Looks at the folder; a `fresh` run goes on from nothing.
+    /// Examines the folder; a `fresh` run ignores what is there.
     ///
     /// # Errors
     /// As [`look`].
-    pub fn look(&self, fresh: bool) -> Result<Found> {
-        look(&self.folder, &self.header, &self.sweep, fresh)
+    pub fn look(&self, fresh: bool) -> Result<FolderState> {
+        look(&self.folder, &self.header, &self.campaign.sweep, fresh)
     }
 
     /// Makes the log of the run, in a folder that is held, from what is there; or gives
@@ -95,19 +94,20 @@ impl<'a> Task<'a> {
     /// # Errors
     /// As [`look`], and where a file cannot be read or written.
     pub fn prepare_log(&self) -> Result<Option<Box<Manifest>>> {
-        let (folder, header, sweep) = (&self.folder, &self.header, &self.sweep);
+        let (folder, header) = (&self.folder, &self.header);
+        let sweep = &self.campaign.sweep;
         let log = folder.join(LOG);
         match self.look(self.arguments.fresh)? {
-            Found::Nothing(ours) => {
+            FolderState::Nothing(owned) => {
                 Log::begin(&log, header)?;
-                ours.remove_results(folder)?;
+                owned.remove_results(folder)?;
             }
-            Found::Unfinished { had_fewer: false } => {}
-            Found::Unfinished { had_fewer: true } => {
+            FolderState::Unfinished { had_fewer: false } => {}
+            FolderState::Unfinished { had_fewer: true } => {
                 raise_log(&log, header, sweep, self.terminal)?;
             }
-            Found::Fewer(manifest) => log_of_results(folder, &manifest, header)?,
-            Found::Complete(manifest) => return Ok(Some(manifest)),
+            FolderState::Fewer(manifest) => log_of_results(folder, &manifest, header)?,
+            FolderState::Complete(manifest) => return Ok(Some(manifest)),
         }
         Ok(None)
     }

@@ -1,11 +1,8 @@
-//! `sweep simulate`: a case in full (Figs. 7, 8, 10–13, 15 and 16), or a few
-//! beside each other. A case of the sweep is the case that `run` runs: the same
-//! linear systems, built for as long, and the same row; its history is followed to the
-//! end of its time.
+//! `sweep simulate`: a case in full (Figs. 7, 8, 10–13, 15 and 16), or a few together. A case of
+//! the sweep is the case that `run` runs: the same linear systems, built for as long, and the same
+//! row; its history is followed to the end of its time.
 
 mod film;
-mod found;
-mod systems;
 mod writing;
 
 use std::path::Path;
@@ -14,20 +11,16 @@ use anyhow::Result;
 
 use super::drawing::Drawing;
 use super::folder::results_folder;
-use super::prepare::{read_sweep, unique};
+use super::prepare::{naming_file, open, unique};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_sweep;
 use crate::cli::SimulateArguments;
-use campaign::engine::{Case, Survey};
-use campaign::engine::{Choice, ChoiceError, ChosenCase, common_setting};
-use campaign::memory::{Limit, Purpose, admit};
+use campaign::engine::{ChoiceError, Instability, RunOptions};
+use campaign::follow::{FollowError, Following, KeptSystems};
 use campaign::plan::Sweep;
-use campaign::records::{Failure, Record};
-use campaign::sweep_file::SweepFileError;
-use found::{at_found_sites, find_sites};
-use systems::simulate_all;
+use campaign::records::Record;
 use writing::Written;
 
 /// Simulates the chosen cases with every method and keeps their time histories.
@@ -37,55 +30,37 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
     } = arguments;
     let drawing = Drawing::of(&arguments.picture)?.over(&arguments.ranges);
     use_threads(work.jobs, terminal)?;
-    let sweep = read_sweep(file, work, *full, false, terminal)?;
-    warn_of_sweep(&sweep, terminal);
-    let asked_for = |error| in_words(error, file);
-    let choices = (unique(&arguments.case).into_iter())
-        .map(|index| Choice::new(&sweep, index, &arguments.set))
-        .collect::<Result<Vec<_>, _>>()
-        .map_err(asked_for)?;
-    let sweep = match common_setting(&sweep, &choices).map_err(asked_for)? {
-        Ok(setting) => Sweep { setting, ..sweep },
-        Err(reason) => {
-            let rows = failed_rows(&sweep, &choices, &reason);
-            return Ok(tell_of_failures(&sweep, &rows, terminal));
-        }
+    let campaign = open(file, work, *full, false, terminal)?;
+    let sweep = &campaign.sweep;
+    warn_of_sweep(sweep, terminal);
+    let methods: Vec<usize> = (0..sweep.methods.len()).collect();
+    let cases = unique(&arguments.case);
+    let chosen = campaign.cases(&cases, &arguments.set, &methods);
+    let chosen = match chosen.map_err(|error| in_words(error, file))? {
+        Ok(chosen) => chosen,
+        Err(rows) => return Ok(tell_of_failures(sweep, &rows, terminal)),
     };
-    let cases = (choices.into_iter())
-        .map(|choice| choice.case(&sweep))
-        .collect::<Result<Vec<_>, _>>()
-        .map_err(asked_for)?;
-    film::refuse_idle(&sweep, &cases, &arguments.film)?;
-    let shapes = arguments.film.frames_asked();
-    admit_histories(&sweep, &cases, shapes, &work.memory.limit())?;
-    let (sweep, cases, rows_found) = match find_sites(&sweep, arguments, &cases, terminal)? {
-        None => (sweep, cases, None),
-        Some(rows) if rows.iter().any(|row| row.outcome.is_err()) => {
-            return Ok(tell_of_failures(&sweep, &rows, terminal));
-        }
-        Some(rows) => {
-            let (sweep, cases) = at_found_sites(sweep, cases, &rows)?;
-            admit_histories(&sweep, &cases, shapes, &work.memory.limit())?;
-            (sweep, cases, Some(rows))
-        }
+    film::refuse_idle(&chosen.sweep, &chosen.cases, &arguments.film)?;
+    let following = Following {
+        options: RunOptions {
+            full: *full,
+            allow_unstable: arguments.allow_unstable,
+        },
+        memory: Some((&work.memory.limit(), arguments.film.frames_asked())),
+        warn: &|instability: &Instability| terminal.complain(&format!("warning: {instability}")),
     };
-    let (rows, simulations) = simulate_all(&sweep, arguments, &cases, terminal)?;
-    // Those of a run, which say in how many rounds sites were found.
-    let rows = rows_found.unwrap_or(rows);
-    let cases: Vec<Case> = cases.into_iter().map(|chosen| chosen.case).collect();
-    if !simulations.is_empty() {
-        let folder = results_folder(arguments.out.as_ref(), &sweep);
+    let followed = chosen.follow(&following, &mut KeptSystems::default());
+    let followed = followed.map_err(|error| not_followed(error, file))?;
+    if !followed.simulations.is_empty() {
+        let folder = results_folder(arguments.out.as_ref(), &followed.sweep);
         let written = Written {
-            sweep: &sweep,
-            cases: &cases,
-            rows: &rows,
-            simulations: &simulations,
+            followed: &followed,
             folder: &folder,
             drawing: &drawing,
         };
         say(&written.write(&arguments.film)?)?;
     }
-    Ok(tell_of_failures(&sweep, &rows, terminal))
+    Ok(tell_of_failures(&followed.sweep, &followed.rows, terminal))
 }
 
 /// Why cases cannot be chosen as they are asked for, in the words of the command line.
@@ -97,42 +72,24 @@ fn in_words(error: ChoiceError, file: &Path) -> anyhow::Error {
         }
         ChoiceError::Set { .. } => format!("--set {error}"),
         ChoiceError::DifferentStrings => format!("--case: {error}"),
-        ChoiceError::Beside(reason) => format!("{}: {reason}", file.display()),
+        ChoiceError::SharedString(reason) => format!("{}: {reason}", file.display()),
         ChoiceError::WeightWithoutRock | ChoiceError::Case(_) => error.to_string(),
     };
     UsageError(message).into()
 }
 
-/// Refuses what would take more memory than is allowed.
-fn admit_histories(
-    sweep: &Sweep,
-    cases: &[ChosenCase],
-    shapes: usize,
-    limit: &Limit,
-) -> Result<()> {
-    let longest = cases.iter().map(|chosen| chosen.longest);
-    let survey = Survey {
-        longest: longest.fold(0.0, f64::max),
-        ..Survey::default()
+/// Why cases are not followed, in the words of the command line.
+pub fn not_followed(error: FollowError, file: &Path) -> anyhow::Error {
+    let message = match error {
+        FollowError::Systems(error) => return naming_file(file, error),
+        FollowError::Memory(error) | FollowError::Motion(error) => return error,
+        FollowError::Sites(error) => return error.into(),
+        FollowError::DifferentSites => {
+            format!("{error}: simulate one --case by one of --methods at a time")
+        }
+        FollowError::Case(_) => error.to_string(),
     };
-    let purpose = Purpose::Histories {
-        cases: cases.len(),
-        shapes,
-    };
-    admit(sweep, &sweep.setting, &survey, purpose, limit)?;
-    Ok(())
-}
-
-/// Rows of cases whose values make no string.
-fn failed_rows(sweep: &Sweep, choices: &[Choice], reason: &SweepFileError) -> Vec<Record> {
-    let of_choice = |choice: &Choice| -> Vec<Record> {
-        let row = |method| {
-            let values = choice.values.clone();
-            Record::failed(choice.index, method, values, Failure::new(reason))
-        };
-        (0..sweep.methods.len()).map(row).collect()
-    };
-    choices.iter().flat_map(of_choice).collect()
+    UsageError(message).into()
 }
 
 /// Says which cases have no answer, and why.

@@ -13,22 +13,14 @@ use crate::histories::{
     case_csv, case_lines, contact_picture, contacts_csv, film_csv, film_picture, history_csv,
     history_picture, orbit_picture, string_csv, string_picture, whole_strings,
 };
-use campaign::engine::{Case, Simulation};
-use campaign::plan::Sweep;
-use campaign::records::Record;
+use campaign::follow::Followed;
 use plot::Picture;
 use results::files::write_atomically;
 
 /// Simulated cases, and where their files are written.
 pub struct Written<'a> {
-    /// The sweep.
-    pub sweep: &'a Sweep,
-    /// Its cases that were asked for.
-    pub cases: &'a [Case],
-    /// The rows that a run has of them.
-    pub rows: &'a [Record],
-    /// The motion of each case and method that has an answer; at least one.
-    pub simulations: &'a [Simulation],
+    /// The cases, of which at least one has an answer.
+    pub followed: &'a Followed,
     /// Where the files go.
     pub folder: &'a Path,
     /// How pictures look, and in which formats.
@@ -41,12 +33,12 @@ impl Written<'_> {
     /// # Errors
     /// Where a film has no steps to show, or a file cannot be made.
     pub fn write(&self, film: &FilmArguments) -> Result<String> {
-        let &Self {
+        let Followed {
             sweep,
             cases,
             simulations,
-            ..
-        } = self;
+            rows,
+        } = self.followed;
         let steps = chosen_steps(film, &simulations[0].trajectory)?;
         let lateral = sweep.setting.lateral.as_ref();
         let wholes = match lateral {
@@ -55,7 +47,7 @@ impl Written<'_> {
         };
         make_folder(self.folder)?;
         self.table("history.csv", &history_csv(sweep, simulations)?)?;
-        self.table("case.csv", case_csv(sweep, self.rows).as_bytes())?;
+        self.table("case.csv", case_csv(sweep, rows).as_bytes())?;
         let look = &self.drawing.look;
         let history = history_picture(look, sweep, cases, simulations);
         self.picture("history", &history)?;
@@ -70,7 +62,7 @@ impl Written<'_> {
         }
         let files = self.files(lateral.is_some(), !steps.is_empty());
         // All cases have the same.
-        let found = self.rows.first().and_then(|row| row.found.as_ref());
+        let found = rows.first().and_then(|row| row.found.as_ref());
         let written = (files.as_str(), self.folder);
         case_lines(sweep, found, cases, simulations, &wholes, written)
     }
@@ -83,7 +75,7 @@ impl Written<'_> {
         }
         let film = match has_film {
             false => String::new(),
-            true => format!(", film (of {})", self.simulations[0].name),
+            true => format!(", film (of {})", self.followed.simulations[0].name),
         };
         let film_table = if has_film { "film.csv, " } else { "" };
         format!(
@@ -104,12 +96,12 @@ impl Written<'_> {
     /// What there is of motion between walls alone. Ranges of axes are those of histories: contacts
     /// share their time.
     fn lateral(&self, wholes: &[Reconstruction]) -> Result<()> {
-        let &Self {
+        let Followed {
             sweep,
             cases,
             simulations,
             ..
-        } = self;
+        } = self.followed;
         let over_time = self.drawing.look.with_own_heights();
         let look = self.drawing.look.with_own_ranges();
         self.table("contacts.csv", &contacts_csv(sweep, simulations)?)?;

@@ -4,13 +4,13 @@ use super::table::measures;
 use crate::commands::prepare::unique;
 use crate::method_styles::method_style;
 use plot::{Axis, Picture, ScatterPanel, Series, scatter_grid};
-use studies::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
+use studies::tradeoff::{CASE_SECONDS, CASES, Measure, TradeoffRow, front};
 
 /// Smaller errors are drawn here: they are rounding.
 const SMALLEST_DRAWN: f64 = 1e-9;
 
 /// Draws each measure's configurations.
-pub fn chart(rows: &[Row]) -> Picture {
+pub fn chart(rows: &[TradeoffRow]) -> Picture {
     let panels = (measures(rows).into_iter())
         .enumerate()
         .map(|(index, measure)| panel(rows, measure, index % 3 == 0));
@@ -28,10 +28,10 @@ pub fn chart(rows: &[Row]) -> Picture {
     )
 }
 
-fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
-    let point = |row: &Row| Some((row.cost(), row.error?.max(SMALLEST_DRAWN)));
+fn panel(rows: &[TradeoffRow], measure: Measure, is_first: bool) -> ScatterPanel {
+    let point = |row: &TradeoffRow| Some((row.cost(), row.error?.max(SMALLEST_DRAWN)));
     let known = || rows.iter().filter(|row| row.measure == measure);
-    let family = |row: &Row| row.configuration.family();
+    let family = |row: &TradeoffRow| row.configuration.family();
     let families = unique(&known().map(family).collect::<Vec<_>>());
     let kinds = families.into_iter().map(|name| Series {
         name: name.to_owned(),

@@ -5,14 +5,14 @@ use std::fmt::Write;
 use super::table::measures;
 use campaign::words::wrapped;
 use studies::tradeoff::{
-    CASE_SECONDS, CASES, Cheapest, PaperRatio, PaperSteps, Row, cheapest, orders,
+    CASE_SECONDS, CASES, Cheapest, PaperRatio, PaperSteps, TradeoffRow, cheapest, orders,
 };
 
 /// Accuracies that the printed table answers for.
 const ACCURACIES: [f64; 3] = [0.1, 0.01, 0.001];
 
 /// The observed orders.
-pub fn describe_orders(rows: &[Row]) -> Result<String, std::fmt::Error> {
+pub fn describe_orders(rows: &[TradeoffRow]) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     writeln!(text, "observed orders of convergence in 1/f_s")?;
     for measure in measures(rows) {
@@ -34,7 +34,10 @@ pub fn describe_orders(rows: &[Row]) -> Result<String, std::fmt::Error> {
 }
 
 /// What is cheapest for some accuracies, and how the paper's own compare.
-pub fn describe_cheapest(rows: &[Row], steps: &PaperSteps) -> Result<String, std::fmt::Error> {
+pub fn describe_cheapest(
+    rows: &[TradeoffRow],
+    steps: &PaperSteps,
+) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     for accuracy in ACCURACIES {
         let heading = format!(

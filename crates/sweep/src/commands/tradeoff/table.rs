@@ -3,18 +3,18 @@
 use anyhow::Result;
 
 use crate::commands::csv_table::csv_table;
-use studies::tradeoff::{Measure, Row, front};
+use studies::tradeoff::{Measure, TradeoffRow, front};
 
 /// Measures that were studied, in order.
-pub fn measures(rows: &[Row]) -> Vec<Measure> {
+pub fn measures(rows: &[TradeoffRow]) -> Vec<Measure> {
     let mut measures: Vec<Measure> = rows.iter().map(|row| row.measure).collect();
     measures.dedup();
     measures
 }
 
 /// `tradeoff.csv`.
-pub fn table(rows: &[Row]) -> Result<Vec<u8>> {
-    let fronts: Vec<&Row> = (measures(rows).into_iter())
+pub fn table(rows: &[TradeoffRow]) -> Result<Vec<u8>> {
+    let fronts: Vec<&TradeoffRow> = (measures(rows).into_iter())
         .flat_map(|measure| front(rows, measure))
         .map(|(row, _)| row)
         .collect();
@@ -25,7 +25,7 @@ pub fn table(rows: &[Row]) -> Result<Vec<u8>> {
 }
 
 /// The columns of the table: their names, and what a row has there.
-fn columns(row: &Row, is_on_front: bool) -> [(&'static str, String); 14] {
+fn columns(row: &TradeoffRow, is_on_front: bool) -> [(&'static str, String); 14] {
     fn optional(value: Option<impl ToString>) -> String {
         value.map_or_else(String::new, |value| value.to_string())
     }

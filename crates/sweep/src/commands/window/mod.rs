@@ -1,14 +1,12 @@
 //! `sweep window`: where, over weight on bit and surface speed, no limit is near, and the best
 //! point there.
 
-mod lateral;
-mod simulated;
 mod tables;
 mod words;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 
 use super::drawing::save_picture;
 use super::folder::{make_folder, results_folder, tables_of};
@@ -16,12 +14,12 @@ use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::WindowArguments;
-use crate::map::{WindowSheet, window_picture};
+use crate::map::{WindowView, window_picture};
 use campaign::plan::Sweep;
 use campaign::text_file::read_text;
 use results::files::write_atomically;
-use results::folder::{ResultTables, differences};
-use results::window::{AXES, Chart};
+use results::folder::ResultTables;
+use results::window::{OperatingWindow, WindowAsked, WindowError};
 
 /// Draws the window, and says what came out.
 pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status> {
@@ -35,89 +33,54 @@ pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status>
     let mut all = Vec::with_capacity(folders.len());
     for folder in folders {
         let tables = tables_of(&folder, terminal)?;
-        refuse_strangers(&sweep, &arguments.file, &folder, &tables)?;
         all.push((folder, tables));
     }
-    let (ranges, mut sources) = simulated::limits(&sweep, &all, arguments)?;
-    sources.extend(lateral::limits(&sweep, ranges, arguments)?);
-    let chart = Chart::new(ranges, sources);
-    let sheet = WindowSheet {
+    let asked = WindowAsked {
+        orders: arguments.orders.clone(),
+        held_at: arguments.held_at.clone(),
+        margin: arguments.margin,
+        risk: arguments.risk,
+        bins: usize::from(arguments.bins),
+    };
+    let found = OperatingWindow::of(&sweep, &all, &asked).map_err(in_words)?;
+    let OperatingWindow {
+        chart,
+        not_examined,
+    } = found;
+    let view = WindowView {
         title: title(&sweep, &all),
         units: sweep.content.units,
         regions: chart.safe_regions(),
         best: chart.best(arguments.clearance),
         clearance: arguments.clearance,
-        not_looked_at: lateral::not_looked_at(&sweep, arguments),
+        not_examined,
         chart: &chart,
     };
     let folder = arguments.out.clone().unwrap_or_else(|| all[0].0.clone());
     make_folder(&folder)?;
     write_atomically(&folder.join("window.csv"), &tables::window(&chart)?)?;
-    save_picture(&folder, "window", &window_picture(&sheet))?;
-    say(&words::describe(&sheet, &folder))?;
+    save_picture(&folder, "window", &window_picture(&view))?;
+    say(&words::describe(&view, &folder))?;
     Ok(Status::Complete)
+}
+
+/// Why there is no window, in the words of the command line.
+fn in_words(error: WindowError) -> anyhow::Error {
+    let message = match error {
+        WindowError::Results(error) => return error,
+        WindowError::Boundary(error) => return error.into(),
+        WindowError::String(error) => return error.into(),
+        WindowError::Frequencies(error) => return error.into(),
+        WindowError::NotBent | WindowError::NotHeld | WindowError::HeldAt(_) => {
+            format!("--held-at: {error}")
+        }
+        _ => error.to_string(),
+    };
+    UsageError(message).into()
 }
 
 fn title(sweep: &Sweep, all: &[(PathBuf, ResultTables)]) -> String {
     let so_far = all.iter().find_map(|(_, tables)| tables.so_far);
     let so_far = so_far.map_or_else(String::new, |so_far| format!(" ({so_far})"));
     format!("{}: operating window{so_far}", sweep.title)
-}
-
-/// Keys of what turns, bends and stands around the string: limits of others are none of this one.
-const OF_STRING: [&str; 8] = [
-    "string",
-    "top_drive",
-    "well",
-    "mud",
-    "axial_force",
-    "string_friction",
-    "bit",
-    "wall",
-];
-
-/// Refuses results of another string, and those that say nothing over weight and speed.
-fn refuse_strangers(
-    sweep: &Sweep,
-    file: &Path,
-    folder: &Path,
-    tables: &ResultTables,
-) -> Result<()> {
-    let name = folder.display();
-    let manifest = &tables.manifest;
-    let [own, its] = [&sweep.content, &manifest.sweep].map(serde_json::to_value);
-    let (mut own, mut its) = (own?, its?);
-    // A part that the other has not is not modelled there.
-    for content in [&mut own, &mut its] {
-        if let Some(sections) = content["string"]["sections"].as_array_mut() {
-            for section in sections.iter_mut().filter_map(|it| it.as_object_mut()) {
-                section.remove("name");
-            }
-        }
-    }
-    for key in OF_STRING {
-        let (one, other) = (&its[key], &own[key]);
-        if one.is_null() || other.is_null() {
-            continue;
-        }
-        if let Some(difference) = differences(one, other).first() {
-            bail!(UsageError(format!(
-                "{name} and {} are not of one string: {key}.{difference}",
-                file.display()
-            )));
-        }
-    }
-    if let Some(axis) = AXES.iter().find(|axis| !manifest.axes.contains(axis)) {
-        bail!(UsageError(format!(
-            "{name}: its cases do not differ in {}, and a window is over that and {}",
-            axis.name(),
-            AXES.iter()
-                .find(|other| other != &axis)
-                .map_or_else(String::new, |it| it.name())
-        )));
-    }
-    if manifest.tally.rows == 0 {
-        bail!(UsageError(format!("{name} has no case to draw yet")));
-    }
-    Ok(())
 }

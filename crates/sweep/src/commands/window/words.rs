@@ -2,17 +2,17 @@
 
 use std::path::Path;
 
-use crate::map::WindowSheet;
+use crate::map::WindowView;
 use campaign::words::wrapped;
 
 /// The limits, the safe regions and the best point, and where the files are.
-pub fn describe(sheet: &WindowSheet, folder: &Path) -> String {
-    let mut text = wrapped(&sheet.title, 0, 2);
+pub fn describe(view: &WindowView, folder: &Path) -> String {
+    let mut text = wrapped(&view.title, 0, 2);
     for (heading, lines) in [
-        ("limits", sheet.limits()),
-        ("safe", sheet.regions()),
-        ("best point", sheet.best()),
-        ("not looked at", sheet.not_looked_at.clone()),
+        ("limits", view.limits()),
+        ("safe", view.regions()),
+        ("best point", view.best()),
+        ("not examined", view.not_examined.clone()),
     ] {
         if lines.is_empty() {
             continue;

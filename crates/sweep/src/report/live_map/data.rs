@@ -9,7 +9,7 @@ use csv::StringRecord;
 use serde_json::{Value, json};
 
 use super::opening::opening;
-use crate::map::Drawing;
+use crate::map::MapDrawing;
 use campaign::quantities::{Axis, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
 use campaign::words::shell_word;
@@ -19,14 +19,14 @@ use results::folder::{Manifest, ResultTables, column_words};
 /// Of more simulations, no page has the values: they are not even read.
 const MOST_ROWS: usize = 40_000;
 
-/// Digits of measures, the first that there is room for: all, or so many.
+/// Digits of measures, the first choice that fits: all, or this number.
 const DIGITS: [Option<usize>; 3] = [None, Some(4), Some(3)];
 
-/// The cases of a drawing, where they take no more than so many bytes.
+/// The cases of a drawing, where they fit into a number of bytes.
 ///
 /// # Errors
 /// Where a table cannot be read.
-pub fn data(tables: &ResultTables, drawing: &Drawing, room: usize) -> Result<Option<Value>> {
+pub fn data(tables: &ResultTables, drawing: &MapDrawing, room: usize) -> Result<Option<Value>> {
     let manifest = &tables.manifest;
     if manifest.tally.rows > MOST_ROWS {
         return Ok(None);
@@ -34,7 +34,7 @@ pub fn data(tables: &ResultTables, drawing: &Drawing, room: usize) -> Result<Opt
     let table = Table::read(&tables.folder.join("labels.csv"), manifest)?;
     let units = manifest.sweep.units;
     let axes = manifest.axes.iter();
-    let drawn = map_axes(&drawing.sheet, 2);
+    let drawn = map_axes(&drawing.chart, 2);
     let place = |axis: Axis| manifest.axes.iter().position(|other| *other == axis);
     let mut data = json!({
         "command_parts": command(manifest),
@@ -90,8 +90,8 @@ pub fn shown(unit: &Unit) -> Value {
 
 /// Of each map, in the order of the page, what its cases have along other axes and the motion
 /// that it is of; a map of all cases has neither.
-fn panels(drawing: &Drawing, place: impl Fn(Axis) -> Option<usize>) -> Value {
-    let groups = drawing.sheet.groups.iter().enumerate();
+fn panels(drawing: &MapDrawing, place: impl Fn(Axis) -> Option<usize>) -> Value {
+    let groups = drawing.chart.groups.iter().enumerate();
     let panels = groups.flat_map(|(index, group)| {
         let motion = drawing.motions.get(index).copied();
         (0..group.panels.len()).map(move |panel| (motion, panel))
@@ -165,7 +165,7 @@ impl Table {
         Ok(table)
     }
 
-    /// Puts a record in its row, among so many rows.
+    /// Puts a record in its row, among a number of rows.
     fn add(&mut self, record: &StringRecord, header: &StringRecord, row: usize, rows: usize) {
         for column in &mut self.columns {
             column.fields.resize(rows, String::new());
@@ -223,7 +223,7 @@ fn finite(field: &str) -> Option<f64> {
     field.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// In so many digits, or in all; a whole number is written as one.
+/// With a number of digits, or all; a whole number is written as one.
 fn rounded(value: f64, digits: Option<usize>) -> Value {
     let in_digits = digits.and_then(|digits| format!("{value:.*e}", digits - 1).parse().ok());
     let value: f64 = in_digits.unwrap_or(value);

@@ -1,5 +1,5 @@
-// Maps that answer: pointing at a case tells its values, opening it tells all of them. A case
-// is found by where it is, not by an element of its own.
+// Interactive maps: pointing at a case shows its values, opening it shows all of them. A case is
+// found by its position, not by its own element.
 
 /** The cases of a results folder, as the page holds them. */
 class Cases {
@@ -65,17 +65,17 @@ const shown = (value) => {
   return make("td", {}, value === null ? "–" : value.replaceAll("_", " "));
 };
 
-/** What a tooltip tells besides labels. */
+/** What a tooltip shows in addition to labels. */
 const BRIEF = ["stick_slip_severity", "bit_speed_peak_rpm", "peak_radius_mm", "contact_fraction"];
 const LABELS = ["torsion", "lateral"];
 
 const tip = make("div", { class: "tip", role: "status", hidden: "" });
 document.body.append(tip);
 
-const isTold = (column) => LABELS.includes(column.name) || BRIEF.includes(column.name);
+const isInTip = (column) => LABELS.includes(column.name) || BRIEF.includes(column.name);
 
-/** Shows what there is to say of a case beside a place of the window. */
-const tell = (cases, index, others, hint, [x, y]) => {
+/** Shows the values of a case next to a place of the window. */
+const showTip = (cases, index, others, hint, [x, y]) => {
   const values = cases.axes.map((_, axis) => {
     const value = cases.along(axis, index);
     return make("div", { title: value }, `${cases.axes[axis].words} = ${readable(value)} ${cases.axes[axis].unit}`);
@@ -85,16 +85,16 @@ const tell = (cases, index, others, hint, [x, y]) => {
   tip.replaceChildren(
     make("p", {}, title, here),
     ...values,
-    cases.table(index, cases.columns.filter(isTold)),
+    cases.table(index, cases.columns.filter(isInTip)),
     ...cases.reasons(index),
     make("p", { class: "note" }, hint),
   );
   tip.hidden = false;
   const { width, height } = tip.getBoundingClientRect();
   const room = document.documentElement.clientWidth;
-  const beside = x + 16 + width <= room ? x + 16 : x - 16 - width;
+  const sideways = x + 16 + width <= room ? x + 16 : x - 16 - width;
   const below = y + 16 + height <= innerHeight ? y + 16 : y - 16 - height;
-  tip.style.left = `${Math.max(8, Math.min(beside, room - width - 8))}px`;
+  tip.style.left = `${Math.max(8, Math.min(sideways, room - width - 8))}px`;
   tip.style.top = `${Math.max(8, below)}px`;
 };
 
@@ -168,7 +168,7 @@ class LiveMap {
     if (event.pointerType !== "touch" || this.touched === at) {
       this.open(at);
     } else {
-      this.show(at, [event.clientX, event.clientY], "Tap again: all values");
+      this.show(at, [event.clientX, event.clientY], "Touch again: all values");
       this.touched = at;
     }
   }
@@ -180,8 +180,8 @@ class LiveMap {
     this.mark.hidden = false;
     const { left, top } = this.area.getBoundingClientRect();
     const [width, height] = this.size;
-    const beside = place ?? [left + this.x[at] * width, top + (1 - this.y[at]) * height];
-    tell(this.cases, this.indices[at], this.together(at).length, hint, beside);
+    const corner = place ?? [left + this.x[at] * width, top + (1 - this.y[at]) * height];
+    showTip(this.cases, this.indices[at], this.together(at).length, hint, corner);
   }
 
   leave() {
@@ -230,7 +230,7 @@ class LiveMap {
 
 const dialog = make("dialog", { "aria-labelledby": "case-title" });
 document.body.append(dialog);
-// A click beside it closes it, as Esc does.
+// A click outside it closes it, as Esc does.
 dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
 // What is still being simulated is not wanted any more.
 dialog.addEventListener("close", () => engine.isBusy && engine.stop());

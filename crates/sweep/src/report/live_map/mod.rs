@@ -14,7 +14,7 @@ use anyhow::Result;
 use serde_json::Value;
 
 use super::escaping::{escaped, with_index};
-use crate::map::{Drawing, drawing};
+use crate::map::{MapDrawing, drawing};
 use plot::{MapGroup, map_axes};
 use results::folder::ResultTables;
 
@@ -49,8 +49,8 @@ pub struct LiveMap {
 /// Bytes that the cases of a page take at most: with the engine it stays below 3 MB.
 const MOST_BYTES: usize = 1_450_000;
 
-/// Draws what a folder's map shows, one of so many of the page; none where its design has no two
-/// axes.
+/// Draws what a folder's map shows, one of a number on the page; `None` where its design does not
+/// have two axes.
 ///
 /// # Errors
 /// Where a table cannot be read.
@@ -70,12 +70,12 @@ pub fn live_map(tables: &ResultTables, folders: usize) -> Result<Option<LiveMap>
     Ok(Some(LiveMap { html, data }))
 }
 
-fn html(drawing: &Drawing) -> String {
-    let axes = map_axes(&drawing.sheet, MOST_TICKS);
-    let groups = drawing.sheet.groups.iter().map(|group| {
+fn html(drawing: &MapDrawing) -> String {
+    let axes = map_axes(&drawing.chart, MOST_TICKS);
+    let groups = drawing.chart.groups.iter().map(|group| {
         let panels = group.panels.iter().map(|panel| {
             let names = line_names(group);
-            panel::panel(&axes, &drawing.sheet.marks, panel, &names)
+            panel::panel(&axes, &drawing.chart.marks, panel, &names)
         });
         let heading = match group.heading.as_str() {
             "" => String::new(),

@@ -1,5 +1,5 @@
-//! One map of a page. Its drawing has whatever size there is room for; the words around it and
-//! on it are elements of the page beside it, which stay as large as other words.
+//! One map of a page. Its drawing takes the available room; the words around it and on it are
+//! separate elements of the page, which stay as large as other words.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -64,7 +64,7 @@ fn ticks(axis: &MapAxis, side: &str) -> String {
     room + &numbers.collect::<String>()
 }
 
-/// Names beside their places; those on the right half stand to the left of it.
+/// Names next to their places; those on the right half stand to the left of it.
 fn named<'a>(axes: &[MapAxis; 2], marks: impl Iterator<Item = &'a Mark>) -> String {
     let names = marks.filter_map(|mark| {
         let [x, y] = place(axes, mark.at)?;

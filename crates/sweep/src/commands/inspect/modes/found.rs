@@ -14,7 +14,7 @@ use campaign::plan::Sweep;
 /// More of them are not listed: they are too dense to tell apart.
 const MOST: usize = 500;
 
-/// Places along the string at which shapes are told.
+/// Places along the string at which shapes are given.
 const PLACES: usize = 201;
 
 /// Pieces that are gone through in about a minute.
@@ -60,7 +60,7 @@ impl ModeFamily {
         }
     }
 
-    /// Motions as a rigid rod that nothing brings back, unless the string is pulled.
+    /// Rigid-body modes of a rod, unless the string is pulled.
     fn as_rigid_rod(&self) -> usize {
         match self {
             Self::Torsion | Self::Bending(SurfaceSupport::Clamped) => 0,
@@ -89,7 +89,7 @@ pub struct Modes {
     pub shapes: Vec<Shape>,
 }
 
-/// All modes up to the highest frequency that is excited, and at least so many.
+/// All modes up to the highest frequency that is excited, and at least a given number.
 ///
 /// # Errors
 /// Where that takes too long.
@@ -150,7 +150,7 @@ fn modes(
     })
 }
 
-/// Refuses to find so many modes where that would take more than about a minute.
+/// Refuses to find modes where that would take more than about a minute.
 fn check_work(of: &ModeFamily, highest: f64, once: f64, modes: usize) -> Result<()> {
     let pieces = once * (modes * NaturalFrequencies::COUNTS) as f64;
     if pieces <= MOST_PIECES {

@@ -18,7 +18,7 @@ use pictures::{campbell_picture, shape_picture};
 use results::files::write_atomically;
 use speeds::Excitation;
 
-/// Finds the modes and says what is known of them, so many of the lowest in full; then writes
+/// Finds and describes the modes, a number of the lowest in full; then writes
 /// tables and pictures.
 ///
 /// # Errors

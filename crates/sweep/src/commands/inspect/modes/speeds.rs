@@ -12,8 +12,8 @@ const MOST_ORDERS: usize = 6;
 
 /// Multiples of the surface speed, over a range of it.
 pub struct Excitation {
-    /// How often a turn each shakes: 1 for what is eccentric, more for a bit with so many
-    /// blades or cones.
+    /// How often each excites per turn: 1 for an eccentric mass, more for the blades or cones of a
+    /// bit.
     pub orders: Vec<f64>,
     /// The least and the greatest surface speed, rpm.
     pub speeds: [f64; 2],

@@ -8,7 +8,7 @@ use campaign::plan::Sweep;
 use campaign::quantities::{LENGTH, Units};
 use campaign::words::{counted, short, wrapped};
 
-/// So many of the lowest modes of each kind, and what is critical.
+/// A number of the lowest modes of each kind, and the critical speeds.
 pub fn describe(sweep: &Sweep, found: &[Modes], excitation: &Excitation, count: usize) -> String {
     let mut text = "\nmodes without damping, bit free, no contact with the wall\n".to_owned();
     for modes in found {

@@ -1,9 +1,9 @@
-//! Where the maps of a sheet and their legends stand: one map alone has its legend at its side, or
+//! Where the maps of a chart and their legends stand: one map alone has its legend at its side, or
 //! below where the picture is narrow; groups of one map each stand side by side, the maps of a
 //! larger group in rows with the legend below.
 
 use super::panel::{draw_panel, line_stroke, scales};
-use super::{MapGroup, MapSheet};
+use super::{MapChart, MapGroup};
 use crate::canvas::{Canvas, Title, draw_titled};
 use crate::fills::CellFill;
 use crate::frame::Frame;
@@ -17,13 +17,13 @@ use crate::text::{Block, LABEL_SIZE, SMALL_SIZE, TITLE_SIZE};
 
 const MARGIN: f64 = 14.0;
 
-/// Size of a sheet with one map.
+/// Size of a chart with one map.
 const WIDTH_ALONE: f64 = 900.0;
 const HEIGHT_ALONE: f64 = 620.0;
 /// Distance between the plotting area and the legend at its side.
 const LEGEND_GAP: f64 = 22.0;
 
-/// Width of a sheet with several maps.
+/// Width of a chart with several maps.
 const WIDTH: f64 = 1180.0;
 /// Distance between maps.
 const GAP: f64 = 18.0;
@@ -37,16 +37,16 @@ const HEIGHTS: [f64; 3] = [430.0, 430.0, 320.0];
 const HIGHEST: f64 = 0.87;
 const LEAST_WIDTH: f64 = 300.0;
 
-/// Draws a sheet.
+/// Draws a chart.
 ///
-/// The axes span the cells, the points and the marks; a sheet without points spans
+/// The axes span the cells, the points and the marks; a chart without points spans
 /// its lines and marks, an empty one 0 to 1.
-pub fn map_sheet(look: &Look, sheet: &MapSheet) -> Picture {
-    match &sheet.groups[..] {
+pub fn map_chart(look: &Look, chart: &MapChart) -> Picture {
+    match &chart.groups[..] {
         [group] if group.panels.len() == 1 && !is_narrow(look.width(WIDTH_ALONE)) => {
-            alone(look, sheet, group)
+            alone(look, chart, group)
         }
-        groups => arranged(look, sheet, groups),
+        groups => arranged(look, chart, groups),
     }
 }
 
@@ -69,8 +69,8 @@ fn keys(group: &MapGroup) -> Vec<(Key, &str)> {
     keys
 }
 
-fn alone(look: &Look, sheet: &MapSheet, group: &MapGroup) -> Picture {
-    let title = Title::new(look, &sheet.title, WIDTH_ALONE, MARGIN);
+fn alone(look: &Look, chart: &MapChart, group: &MapGroup) -> Picture {
+    let title = Title::new(look, &chart.title, WIDTH_ALONE, MARGIN);
     let text = |text| (Key::Nothing, text);
     let scale = group.scale.iter().map(String::as_str).map(text);
     let notes = group.notes.iter().map(String::as_str).map(text);
@@ -89,18 +89,18 @@ fn alone(look: &Look, sheet: &MapSheet, group: &MapGroup) -> Picture {
         right: legend_left - LEGEND_GAP,
         bottom,
     };
-    let frame = Frame::new(outer, &sheet.axes, scales(sheet, look.ranges));
+    let frame = Frame::new(outer, &chart.axes, scales(chart, look.ranges));
     draw_titled(&title, height, |canvas| {
         for panel in &group.panels {
-            draw_panel(canvas, &frame, &sheet.marks, group, panel);
+            draw_panel(canvas, &frame, &chart.marks, group, panel);
         }
         legend.draw(canvas, legend_left, top);
         write(canvas, &below, MARGIN, bottom + TEXT_GAP);
     })
 }
 
-fn arranged(look: &Look, sheet: &MapSheet, groups: &[MapGroup]) -> Picture {
-    let title = Title::new(look, &sheet.title, WIDTH, MARGIN);
+fn arranged(look: &Look, chart: &MapChart, groups: &[MapGroup]) -> Picture {
+    let title = Title::new(look, &chart.title, WIDTH, MARGIN);
     let all_alone = groups.iter().all(|group| group.panels.len() == 1);
     let columns = if all_alone && !is_narrow(title.width) {
         groups.len().max(1)
@@ -109,11 +109,11 @@ fn arranged(look: &Look, sheet: &MapSheet, groups: &[MapGroup]) -> Picture {
     };
     let gaps = (columns - 1) as f64 * GAP;
     let width = (title.width - 2.0 * MARGIN - gaps) / columns as f64;
-    let scales = scales(sheet, look.ranges);
+    let scales = scales(chart, look.ranges);
     let (mut blocks, mut bottom) = (Vec::new(), title.bottom());
     let (mut left, mut top) = (MARGIN, bottom);
     for group in groups {
-        let (end, draw) = group_block(sheet, scales, group, [left, top, width]);
+        let (end, draw) = group_block(chart, scales, group, [left, top, width]);
         bottom = bottom.max(end);
         if columns > 1 {
             left += width + GAP;
@@ -130,14 +130,14 @@ fn arranged(look: &Look, sheet: &MapSheet, groups: &[MapGroup]) -> Picture {
 /// The maps of a group in rows, its legend and its notes below: where they end, and what
 /// draws them.
 fn group_block<'a>(
-    sheet: &'a MapSheet,
+    chart: &'a MapChart,
     scales: [Scale; 2],
     group: &'a MapGroup,
     [left, top, width]: [f64; 3],
 ) -> (f64, impl Fn(&mut Canvas) + 'a) {
     let heading = Block::new(&group.heading, TITLE_SIZE, width);
     let maps_top = top + heading.height() + 0.3 * GAP;
-    let (frames, texts_top) = frames(sheet, scales, group, [left, maps_top, width]);
+    let (frames, texts_top) = frames(chart, scales, group, [left, maps_top, width]);
     let legend = Legend::new(keys(group)).in_rows(width);
     let small = |text: &String| Block::new(text, SMALL_SIZE, width);
     let notes: Vec<Block> = group.notes.iter().map(small).collect();
@@ -155,7 +155,7 @@ fn group_block<'a>(
             let furthest = frame.area.right - 0.5 * title.width;
             let middle = frame.area.centre().0.min(furthest);
             canvas.text(title, middle, first_row, Align::Centre);
-            draw_panel(canvas, frame, &sheet.marks, group, panel);
+            draw_panel(canvas, frame, &chart.marks, group, panel);
         }
         let row = write(canvas, scale.as_slice(), left, texts_top);
         legend.draw(canvas, left, row);
@@ -177,7 +177,7 @@ fn write(canvas: &mut Canvas, texts: &[Block], left: f64, mut row: f64) -> f64 {
 
 /// The maps of a group in rows, each with its title above, and where the last row ends.
 fn frames(
-    sheet: &MapSheet,
+    chart: &MapChart,
     scales: [Scale; 2],
     group: &MapGroup,
     [left, top, width]: [f64; 3],
@@ -205,7 +205,7 @@ fn frames(
                 right: left + map_width - LABEL_ROOM,
                 bottom: bottom - 0.5 * GAP,
             };
-            frames.push((title, Frame::new(outer, &sheet.axes, scales)));
+            frames.push((title, Frame::new(outer, &chart.axes, scales)));
         }
         row_top = bottom;
     }

@@ -1,17 +1,17 @@
 //! The limits of lateral motion that are known without a case: from which speed on backward whirl
 //! can last, and lateral resonance.
 
-use anyhow::Result;
 use linear::Sites;
 use linear::natural_frequencies::held_lateral_frequencies_below;
 
-use crate::cli::WindowArguments;
-use crate::commands::status::UsageError;
+use super::analytic::{Resonance, above_speed, near_resonances};
+use super::asked::WindowAsked;
+use super::chart::{Drawn, Source};
+use super::error::WindowError;
 use campaign::plan::{LateralSettings, Sweep, WallSettings};
 use campaign::quantities::{Axis, LENGTH, WallQuantity};
 use campaign::words::short;
 use limits::whirl_from;
-use results::window::{Drawn, Resonance, Source, above_speed, near_resonances};
 
 /// The limits within ranges of weight on bit (kN) and surface speed (rpm); none where the string
 /// does not bend.
@@ -21,26 +21,25 @@ use results::window::{Drawn, Resonance, Source, above_speed, near_resonances};
 pub fn limits(
     sweep: &Sweep,
     ranges: [[f64; 2]; 2],
-    arguments: &WindowArguments,
-) -> Result<Vec<Source<'static>>> {
+    asked: &WindowAsked,
+) -> Result<Vec<Source<'static>>, WindowError> {
     let Some(lateral) = &sweep.setting.lateral else {
-        if arguments.held_at.is_some() {
-            let message = "--held-at: the string does not bend: the file has no [wall]";
-            return Err(UsageError(message.to_owned()).into());
+        if asked.held_at.is_some() {
+            return Err(WindowError::NotBent);
         }
         return Ok(Vec::new());
     };
-    let mut found = resonances(sweep, lateral, ranges[1], arguments)?;
-    found.push(whirl(sweep, lateral, ranges, arguments.margin)?);
+    let mut found = resonances(sweep, lateral, ranges[1], asked)?;
+    found.push(whirl(sweep, lateral, ranges, asked.margin)?);
     Ok(found)
 }
 
-/// What may shake the string sideways or along itself, and has no limit on the sheet.
-pub fn not_looked_at(sweep: &Sweep, arguments: &WindowArguments) -> Vec<String> {
+/// What may shake the string sideways or along itself, and has no limit on the chart.
+pub fn not_examined(sweep: &Sweep, asked: &WindowAsked) -> Vec<String> {
     let axial = "vibration along the string, and a bit that bounces: they are not modelled";
     let sideways = match &sweep.setting.lateral {
         None => Some("vibration sideways and whirl: the file has no [wall]".to_owned()),
-        Some(lateral) => above_the_uppermost(sweep, lateral, arguments),
+        Some(lateral) => above_the_uppermost(sweep, lateral, asked),
     };
     sideways.into_iter().chain([axial.to_owned()]).collect()
 }
@@ -52,10 +51,10 @@ const WIDER: f64 = 1.2;
 fn above_the_uppermost(
     sweep: &Sweep,
     lateral: &LateralSettings,
-    arguments: &WindowArguments,
+    asked: &WindowAsked,
 ) -> Option<String> {
     let string = &sweep.setting.string;
-    let places = held_places(sweep, lateral, arguments);
+    let places = held_places(sweep, lateral, asked);
     let uppermost = places.iter().copied().fold(0.0, f64::max);
     let above = string.length() - uppermost;
     let longest = string.sections()[0].parts.iter();
@@ -91,9 +90,9 @@ fn above_the_uppermost(
 }
 
 /// Distances from the bit of what holds the string sideways, m.
-fn held_places(sweep: &Sweep, lateral: &LateralSettings, arguments: &WindowArguments) -> Vec<f64> {
+fn held_places(sweep: &Sweep, lateral: &LateralSettings, asked: &WindowAsked) -> Vec<f64> {
     let unit = sweep.content.units.of(&LENGTH);
-    let given = arguments.held_at.as_ref();
+    let given = asked.held_at.as_ref();
     let given = given.map(|places| places.iter().map(|place| unit.in_si(*place)).collect());
     given.unwrap_or_else(|| lateral.held_places(&sweep.setting.sites))
 }
@@ -104,14 +103,14 @@ fn whirl(
     lateral: &LateralSettings,
     [weights, speeds]: [[f64; 2]; 2],
     margin: f64,
-) -> Result<Source<'static>> {
+) -> Result<Source<'static>, WindowError> {
     let frictions = friction(sweep, lateral, margin);
     let [latest, soonest] = whirl_from(&sweep.setting, lateral, speeds, frictions)?;
     let [least, most] = frictions.map(short);
-    let told = match soonest {
+    let extent = match soonest {
         None => format!("nowhere on the map, with friction up to {most}"),
         Some(from) if latest == Some(from) => {
-            format!("on all of the map, with friction {least} to {most}")
+            format!("on the whole map, with friction {least} to {most}")
         }
         Some(from) => {
             let to = latest.map_or_else(
@@ -132,8 +131,8 @@ fn whirl(
         .filter(|from| *from > speeds[0]);
     let soonest_or_never = soonest.unwrap_or(f64::INFINITY);
     Ok(Source {
-        name: "backward whirl can last once begun".to_owned(),
-        told: format!("{told}; balance of forces at one site alone"),
+        name: "backward whirl, if triggered, sustains itself".to_owned(),
+        description: format!("{extent}; balance of forces at one site alone"),
         edges: [Vec::new(), soonest.into_iter().collect()],
         standing: Box::new(move |ends| above_speed(soonest_or_never, ends)),
         drawn: Drawn::Lines(lines.map(line).collect()),
@@ -165,19 +164,17 @@ fn resonances(
     sweep: &Sweep,
     lateral: &LateralSettings,
     speeds: [f64; 2],
-    arguments: &WindowArguments,
-) -> Result<Vec<Source<'static>>> {
+    asked: &WindowAsked,
+) -> Result<Vec<Source<'static>>, WindowError> {
     let string = &sweep.setting.string;
     let length = sweep.content.units.of(&LENGTH);
-    let places = held_places(sweep, lateral, arguments);
+    let places = held_places(sweep, lateral, asked);
     if places.is_empty() {
-        let message = "--held-at: what holds the string sideways? The file has no [[sites]]";
-        return Err(UsageError(message.to_owned()).into());
+        return Err(WindowError::NotHeld);
     }
-    let held =
-        Sites::new(string, &places).map_err(|error| UsageError(format!("--held-at: {error}")))?;
-    let margin = arguments.margin;
-    let most = arguments.orders.iter().copied().fold(0.0, f64::max);
+    let held = Sites::new(string, &places).map_err(WindowError::HeldAt)?;
+    let margin = asked.margin;
+    let most = asked.orders.iter().copied().fold(0.0, f64::max);
     // Also those whose margin reaches into the map.
     let highest = most * speeds[1] / (1.0 - margin) * std::f64::consts::TAU / 60.0;
     let frequencies = held_lateral_frequencies_below(string, &lateral.bending, &held, highest)?;
@@ -199,7 +196,7 @@ fn resonances(
         let ends = all.iter().flat_map(|it| it.range);
         Source {
             name: format!("lateral resonance {}×", short(order)),
-            told: format!("{critical}, ± {} %; {held}", short(100.0 * margin)),
+            description: format!("{critical}, ± {} %; {held}", short(100.0 * margin)),
             edges: [Vec::new(), ends.collect()],
             drawn: Drawn::Bands(
                 (all.iter())
@@ -214,5 +211,5 @@ fn resonances(
             standing: Box::new(move |ends| near_resonances(&all, ends)),
         }
     };
-    Ok(arguments.orders.iter().map(of_order).collect())
+    Ok(asked.orders.iter().map(of_order).collect())
 }

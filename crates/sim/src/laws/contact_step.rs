@@ -8,8 +8,8 @@
 
 use super::bracket::{RATIO_TOLERANCE, Trial, rolling_between};
 use super::contact::{Approach, Contact, ContactError, Touch, WallLaw};
+use super::contact_residual::ContactResidual;
 use super::newton::newton;
-use super::obeyed::Obeyed;
 use super::wall::Wall;
 use crate::ranges::SceneError;
 
@@ -22,14 +22,14 @@ impl WallLaw for Wall {
         self.radius
     }
 
-    /// Solves one step at one site, whatever its numbers are: position, load line
+    /// Solves one step at one site, for any numbers: position, load line
     /// and law of the wall then agree to 1e-9 of the distance |p_h|, and what
     /// rolls slides by no more than 1e-9 of the speeds that meet there, or of what
     /// the bit's speed jumps by where its torque falls from T_s to T_d. Lengths
     /// below 1e-150 m count as none.
     #[inline(always)]
     fn meet(&self, approach: &Approach) -> Result<Contact, ContactError> {
-        if approach.sampling.moment > 0.0 {
+        if approach.sampling.collocation_offset > 0.0 {
             self.meet_in_step(approach)
         } else {
             self.meet_at(approach)
@@ -58,7 +58,7 @@ impl Wall {
         if distance <= self.clearance {
             return Contact::free(approach.free_position);
         }
-        let press = Press::new(self, approach, distance);
+        let press = ContactStep::new(self, approach, distance);
         if self.falls() {
             return press.meet_falling();
         }
@@ -71,7 +71,7 @@ impl Wall {
 }
 
 /// A step in contact.
-struct Press<'a> {
+struct ContactStep<'a> {
     wall: &'a Wall,
     approach: &'a Approach<'a>,
     /// |p_h|, m.
@@ -84,7 +84,7 @@ struct Press<'a> {
 
 // Most of this is inlined by request: calls, and answers copied between them, would cost
 // half as much again as what they do.
-impl<'a> Press<'a> {
+impl<'a> ContactStep<'a> {
     #[inline]
     fn new(wall: &'a Wall, approach: &'a Approach<'a>, distance: f64) -> Self {
         let turning = match approach.spin.resistance {
@@ -208,7 +208,7 @@ impl<'a> Press<'a> {
     ///
     /// Across e_r the load line leaves αF_N = −p_h·e_θ/h₀, so that the sliding
     /// speed R₀(θ̇_h + g₀R₀αF_N) − f_s p_prev·e_θ is linear in e_θ: it vanishes
-    /// where w·e_θ = R₀θ̇_h ([`Press::weight`]).
+    /// where w·e_θ = R₀θ̇_h ([`ContactStep::weight`]).
     #[inline(always)]
     fn rolling_directions(&self) -> Option<[[f64; 2]; 2]> {
         let [wx, wy] = self.weight;
@@ -378,7 +378,7 @@ impl<'a> Press<'a> {
             },
             ambiguous,
         };
-        let obeyed = Obeyed {
+        let obeyed = ContactResidual {
             wall: self.wall,
             approach: self.approach,
             distance: self.distance,

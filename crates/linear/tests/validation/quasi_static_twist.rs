@@ -1,13 +1,13 @@
 //! A string that is wound up by its surface: the number of pieces for a tolerance, against
 //! closed forms and against winding it up in small steps.
 
-use linear::well::{PressedBy, SideForce, Station, Survey, WindingUp, least_pieces};
+use linear::well::{PressedBy, QuasiStaticTwist, SideForce, Station, Survey, least_pieces};
 use linear::{Drillstring, Mud};
 use problems::pipes;
 use problems::wells::{Draw, Well};
 
 /// Lying on its side all along.
-fn horizontal(pipes: usize) -> (Drillstring, WindingUp) {
+fn horizontal(pipes: usize) -> (Drillstring, QuasiStaticTwist) {
     let string = pipes::row(pipes, 0.0);
     let station = |measured_depth| Station {
         measured_depth,
@@ -69,7 +69,7 @@ fn val_a_vertical_string_takes_one_piece() {
     assert_eq!(least_pieces(&[winding], 1e-4, 2000), Ok(1));
 }
 
-/// A chain of nodes at depths, each under its own friction, whose first so many turn: the angle
+/// A chain of nodes at depths, each under its own friction, of which the first ones turn: the angle
 /// of the surface at the torque at which the next one starts. Node by node, from the lowest that
 /// turns up.
 fn angles(depths: &[f64], torques: &[f64], compliance: &impl Fn(f64, f64) -> f64) -> Vec<[f64; 2]> {
@@ -99,9 +99,9 @@ fn along(line: &[[f64; 2]], angle: f64) -> f64 {
 }
 
 /// Random strings in random wells: friction in the middles of a few pieces and of thousands of
-/// short ones, wound up node by node, differ by what is told, but for what those are off by.
+/// short ones, wound up node by node, differ by the estimate, up to the error of the latter.
 #[test]
-fn val_friction_in_pieces_is_off_by_what_is_told() {
+fn val_friction_in_pieces_is_off_by_the_estimate() {
     for number in 0..18 {
         let mut draw = Draw::new(number);
         let Well { string, survey } = Well::draw(number, &mut draw);

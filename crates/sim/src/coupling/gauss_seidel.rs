@@ -1,4 +1,4 @@
-//! The turns: one port after the other.
+//! Gauss–Seidel iteration: one port after the other, in turns.
 
 use super::ports::{Coupling, Free, Solved, Unloaded};
 use super::{newton, row};
@@ -6,7 +6,7 @@ use crate::line::Within;
 
 /// A port is solved again if the others' loads have changed since by what changes its own
 /// by more than this fraction of the largest: ten thousand times rounding, and a
-/// thousandth of what a wall's law is held to (`laws::obeyed`).
+/// thousandth of what a wall's law is held to (`laws::contact_residual`).
 pub(super) const COUPLING_TOLERANCE: f64 = 1e-12;
 
 /// Turns after which each is begun with a step of Newton's method.
@@ -53,7 +53,7 @@ impl Coupling<'_> {
         for turn in 0..most_turns {
             let matters = self.matters(driving);
             if !self.any_is_open(free, &matters) {
-                // The others are told what has become of those that touch.
+                // The others get the latest loads of those that touch.
                 for port in 0..self.pending.len() {
                     if self.pending[port] > self.matters_at(port, &matters) {
                         self.solve_port(port, free, &mut solve)?;
@@ -65,7 +65,7 @@ impl Coupling<'_> {
                 Within::All(torsion) if turn >= PLAIN_TURNS => {
                     newton::step(self, torsion, free, &mut solve);
                 }
-                Within::Chain(chain) if turn > 0 => row::correct(self, chain, free, turn),
+                Within::Chain(chain) => row::correct(self, chain, free, turn),
                 _ => {}
             }
             for port in 0..self.pending.len() {

@@ -14,15 +14,15 @@ use campaign::text_file::unreadable;
 use results::folder::{Manifest, OF_TRACE, PAPER_MAP, PICTURES, RECORDS, TABLES};
 use results::log::{Header, Place, log_place};
 
-/// What tells of an earlier run in a folder.
-pub struct Ours {
+/// The traces of an earlier run in a folder: which files are its own.
+pub struct OwnedFiles {
     /// Its log.
     pub log: Place,
-    /// What its manifest speaks of.
+    /// The files that its manifest lists.
     of_manifest: BTreeSet<String>,
 }
 
-impl Ours {
+impl OwnedFiles {
     /// Looks for a log, which would begin with `header`, and a manifest.
     ///
     /// # Errors
@@ -30,7 +30,7 @@ impl Ours {
     pub fn find(folder: &Path, header: &Header) -> Result<Self> {
         Ok(Self {
             log: log_place(&folder.join(LOG), header)?,
-            // What is no manifest tells nothing, and is not ours itself.
+            // A file that is no manifest lists nothing, and is foreign itself.
             of_manifest: Manifest::read(folder).map_or_else(|_| BTreeSet::new(), names_of),
         })
     }

@@ -5,8 +5,8 @@
 //! d it then turns against its friction, and below it stands still. With f the friction per
 //! length, F its sum from the surface and C that of the compliance 1/(GJ), the torque at the
 //! surface is F(d), and as that grows, all of what turns is twisted by it: dφ = C(d) dF. With
-//! friction in the middles m of pieces dφ = C(m) dF, over the torque of each: a line of straight
-//! pieces beside a curve. Both are proportional to the coefficient of friction, so that what they
+//! friction in the middles m of pieces dφ = C(m) dF, over the torque of each: straight pieces
+//! instead of a curve. Both are proportional to the coefficient of friction, so that what they
 //! differ by, in parts of the torque at which the whole string breaks loose, is not.
 //!
 //! The uppermost piece, with half of its compliance above its middle, is off by a quarter of its
@@ -30,7 +30,7 @@ pub(super) struct Stretch {
 
 /// The surface of a string that is wound up under friction all along it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WindingUp {
+pub struct QuasiStaticTwist {
     /// Where stretches end, the surface first.
     ends: Vec<Front>,
 }
@@ -82,15 +82,19 @@ pub struct TooFine {
     pub off: f64,
 }
 
-/// The least number of pieces, up to the `most`, that are [off](WindingUp::off_by) by no more than
+/// The least number of pieces, up to the `most`, that are [off](QuasiStaticTwist::off_by) by no more than
 /// a `tolerance`, however the string is pressed on its well.
 ///
 /// # Errors
 /// Where there is none.
-pub fn least_pieces(windings: &[WindingUp], tolerance: f64, most: usize) -> Result<usize, TooFine> {
+pub fn least_pieces(
+    windings: &[QuasiStaticTwist],
+    tolerance: f64,
+    most: usize,
+) -> Result<usize, TooFine> {
     let mut nearest = (0, f64::INFINITY);
     for pieces in 1..=most {
-        let off = |winding: &WindingUp| winding.off_by(&winding.friction_torques(pieces));
+        let off = |winding: &QuasiStaticTwist| winding.off_by(&winding.friction_torques(pieces));
         let off = windings.iter().map(off).fold(0.0, f64::max);
         if off <= tolerance {
             return Ok(pieces);
@@ -108,7 +112,7 @@ pub fn least_pieces(windings: &[WindingUp], tolerance: f64, most: usize) -> Resu
     })
 }
 
-impl WindingUp {
+impl QuasiStaticTwist {
     pub(super) fn new(stretches: impl Iterator<Item = Stretch>) -> Self {
         let mut above = Front::default();
         let mut ends = vec![above];
@@ -130,7 +134,7 @@ impl WindingUp {
         self.bottom().torque
     }
 
-    /// Torque that the wall may exert on each of so many equal pieces of the string, per
+    /// Torque that the wall may exert on each of a number of equal pieces of the string, per
     /// coefficient of friction, N m.
     pub fn friction_torques(&self, pieces: usize) -> Vec<f64> {
         let mut above = 0.0;
@@ -210,8 +214,8 @@ impl WindingUp {
         turned.torque
     }
 
-    /// The front at which something that grows downwards has come to a value, the part of the
-    /// way from one end of a stretch to the other given.
+    /// The front at which something that grows downwards reaches a value, at the given fraction of
+    /// the way from one end of a stretch to the other.
     fn to(
         &self,
         of: impl Fn(&Front) -> f64,

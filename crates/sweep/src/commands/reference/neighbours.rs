@@ -1,21 +1,21 @@
-//! Cases beside others: each axis changed alone, up and down.
+//! The neighbours of cases: each axis changed alone, up and down.
 
 use campaign::engine::Case;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use results::folder::CaseRows;
 
-/// Cases beside others.
-pub struct Beside {
-    /// The place of the case that each is beside.
+/// The neighbours of some cases.
+pub struct Neighbours {
+    /// The place of the case to which each belongs.
     pub of: Vec<usize>,
     /// The values of each along all axes.
     pub values: Vec<Vec<f64>>,
 }
 
-/// The cases of a sweep with each of some axes changed by a part of its value; a value of zero by
-/// that part of the greatest of its axis. What an axis cannot be, or makes no case, is left out.
-pub fn beside(sweep: &Sweep, cases: &[CaseRows], axes: &[Axis], margin: f64) -> Beside {
+/// The cases of a sweep with each of some axes changed by a fraction of its value; a value of zero
+/// by that fraction of the greatest of its axis. Invalid values are left out.
+pub fn neighbours(sweep: &Sweep, cases: &[CaseRows], axes: &[Axis], margin: f64) -> Neighbours {
     let places = (sweep.design.axes().iter().enumerate())
         .filter(|(_, axis)| axes.contains(axis))
         .map(|(place, _)| (place, greatest(cases, place)));
@@ -35,7 +35,7 @@ pub fn beside(sweep: &Sweep, cases: &[CaseRows], axes: &[Axis], margin: f64) -> 
             }
         }
     }
-    Beside { of, values }
+    Neighbours { of, values }
 }
 
 fn greatest(cases: &[CaseRows], place: usize) -> f64 {

@@ -2,12 +2,12 @@
 //! the speed at which it slides.
 //!
 //! The less friction holds it, the faster it slides, and the less friction holds it: up to three
-//! ratios agree. Friedlander's rule takes that of what the site did before: what slid fast goes
-//! on so while it can, at the fastest of them; all else rolls while it can, and slides at the
-//! slowest. Fast is beyond v_s/√2, where the curve is steepest: what lies between the branches
+//! ratios agree. Friedlander's rule takes that of the previous motion: a contact that slid fast
+//! continues to while it can, at the fastest of them; all else rolls while it can, and slides at
+//! the slowest. Fast is beyond v_s/√2, where the curve is steepest: what lies between the branches
 //! does not last, and is where the curve is steeper than the string's answer.
 
-use super::Press;
+use super::ContactStep;
 use crate::laws::bracket::{RATIO_TOLERANCE, Trial, zero_between};
 use crate::laws::contact::{Contact, ContactError, Touch};
 use crate::laws::wall::Wall;
@@ -39,7 +39,7 @@ impl Slide {
     }
 }
 
-impl Press<'_> {
+impl ContactStep<'_> {
     /// The answer of a wall whose friction falls.
     #[cold]
     pub(super) fn meet_falling(&self) -> Result<Contact, ContactError> {
@@ -59,8 +59,8 @@ impl Press<'_> {
         self.contact(slow, Touch::Sliding, held.ambiguous)
     }
 
-    /// What slid fast and goes on so, if it can. What arrives at the wall slides as it would
-    /// without friction.
+    /// The solution that continues fast sliding, if there is one. A site that arrives at the wall
+    /// slides as it would without friction.
     ///
     /// From the least friction up: beyond v_s/√2 the curve is convex, and secants stay on the
     /// side that they are on.

@@ -65,7 +65,7 @@ fn by_rule(wall: &Wall, before: f64, speed_under: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-/// Every branch, against a scan of all friction that there is.
+/// Every branch, against a scan of all possible friction.
 #[test]
 fn a_site_keeps_doing_what_it_did() {
     let counts = [(); 4].map(|()| Cell::new(0));
@@ -81,7 +81,7 @@ fn a_site_keeps_doing_what_it_did() {
             let ((wall, approach), dynamic_ratio, scale, before) = drawn;
             let distance = approach.free_position[0];
             let step = |wall: &Wall, ratio: f64| {
-                Press::new(wall, &approach, distance)
+                ContactStep::new(wall, &approach, distance)
                     .trial(ratio)
                     .sliding_speed
             };
@@ -92,7 +92,7 @@ fn a_site_keeps_doing_what_it_did() {
                 stribeck_speed: scale * most,
                 ..wall
             };
-            let press = Press::new(&wall, &approach, distance);
+            let press = ContactStep::new(&wall, &approach, distance);
             if !press.has_one_answer() || distance <= wall.clearance {
                 return Ok(());
             }

@@ -5,16 +5,16 @@ use std::io::{Error, ErrorKind, Result as IoResult};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use campaign::plan::Sweep;
+use campaign::Campaign;
 use campaign::sweep_file::{FileContent, MethodName};
 
 use crate::request::Opening;
 
-/// Reads it, with the methods that are asked for besides its own.
+/// Reads it, with the methods that are asked for in addition to its own.
 ///
 /// # Errors
 /// Where it does not make sense, or a file that it names is not among the texts.
-pub fn sweep_of(opening: Opening) -> Result<Sweep> {
+pub fn opened(opening: Opening) -> Result<Campaign> {
     let Opening {
         path,
         sweep,
@@ -25,16 +25,16 @@ pub fn sweep_of(opening: Opening) -> Result<Sweep> {
         texts.insert(path.clone(), text_of_resolved(*content)?);
     }
     let read =
-        |methods: &[MethodName]| Sweep::read_from(&path, methods, &|path, _| text_of(&texts, path));
-    let sweep = read(&[])?;
-    let mut all = sweep.content.methods.clone();
+        |methods: &[MethodName]| Campaign::open(&path, methods, &|path, _| text_of(&texts, path));
+    let campaign = read(&[])?;
+    let mut all = campaign.sweep.content.methods.clone();
     for method in methods {
         if !all.contains(&method) {
             all.push(method);
         }
     }
-    if all.len() == sweep.content.methods.len() {
-        return Ok(sweep);
+    if all.len() == campaign.sweep.content.methods.len() {
+        return Ok(campaign);
     }
     Ok(read(&all)?)
 }

@@ -1,20 +1,22 @@
 //! The limits that results folders hold: of simulated cases, and Eq. 74.
 
+use std::path::PathBuf;
+
+use anyhow::Context;
 use sim::Motion;
-use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
-
-use crate::cli::WindowArguments;
-use crate::commands::status::UsageError;
+use super::analytic::below_curves;
+use super::asked::WindowAsked;
+use super::chart::{Drawn, Source};
+use super::error::WindowError;
+use super::simulated::{AXES, Simulated, simulated};
+use crate::folder::{Manifest, ResultTables};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::quantities::Units;
 use campaign::sweep_file::DesignKind;
 use campaign::words::{counted, short};
 use limits::{Boundary, Curve, exact_stick_slip_limit};
-use results::folder::{Manifest, ResultTables};
-use results::window::{AXES, Drawn, Simulated, Source, below_curves, simulated};
 
 /// What all folders span, and the limits that each holds.
 ///
@@ -23,36 +25,34 @@ use results::window::{AXES, Drawn, Simulated, Source, below_curves, simulated};
 pub fn limits(
     sweep: &Sweep,
     all: &[(PathBuf, ResultTables)],
-    arguments: &WindowArguments,
-) -> Result<([[f64; 2]; 2], Vec<Source<'static>>)> {
+    asked: &WindowAsked,
+) -> Result<([[f64; 2]; 2], Vec<Source<'static>>), WindowError> {
     let (mut sources, mut curves) = (Vec::new(), Vec::new());
     let mut ranges = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
     for (folder, tables) in all {
         let manifest = &tables.manifest;
         for motion in manifest.tally.motions() {
-            let found = simulated(tables, motion, usize::from(arguments.bins), arguments.risk)
-                .with_context(|| folder.display().to_string())?;
+            let found = simulated(tables, motion, asked.bins, asked.risk)
+                .with_context(|| folder.display().to_string())
+                .map_err(WindowError::Results)?;
             for (range, edges) in ranges.iter_mut().zip(found.edges()) {
                 let (first, last) = (edges[0], edges[edges.len() - 1]);
                 *range = [range[0].max(first), range[1].min(last)];
             }
             let is_alone = all.len() == 1;
-            sources.push(of_cases(found, manifest, motion, is_alone, arguments.risk));
+            sources.push(of_cases(found, manifest, motion, is_alone, asked.risk));
         }
-        curves.extend(curves_of(&tables.boundary()?, &manifest.axes));
-    }
-    if sources.is_empty() {
-        bail!(UsageError(
-            "no case has a label: there is no limit to draw".to_owned()
+        curves.extend(curves_of(
+            &tables.boundary().map_err(WindowError::Results)?,
+            &manifest.axes,
         ));
     }
+    if sources.is_empty() {
+        return Err(WindowError::NoLabel);
+    }
     if ranges.iter().any(|[least, most]| least >= most) {
-        let folders = all.iter().map(|(folder, _)| folder as &Path);
-        let folders: Vec<String> = folders.map(|folder| folder.display().to_string()).collect();
-        bail!(UsageError(format!(
-            "{} have no range of weight and speed in common",
-            folders.join(" and ")
-        )));
+        let folders = all.iter().map(|(folder, _)| folder.clone());
+        return Err(WindowError::NothingInCommon(folders.collect()));
     }
     sources.extend(of_curves(sweep, curves, ranges[0])?);
     Ok((ranges, sources))
@@ -74,7 +74,7 @@ fn of_cases(
     };
     Source {
         name: format!("{regime} (simulated{of})"),
-        told: told(&found, manifest, risk),
+        description: describe(&found, manifest, risk),
         edges: found.edges(),
         standing: Box::new(move |ends| found.standing(ends)),
         drawn: Drawn::Edge,
@@ -82,7 +82,7 @@ fn of_cases(
 }
 
 /// How many cases, and what is between right and wrong.
-fn told(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
+fn describe(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
     let methods = manifest.method_names().join(", ");
     let cases = manifest.tally.rows / manifest.methods.len().max(1);
     let cases = counted(cases, "case");
@@ -119,7 +119,7 @@ fn of_curves(
     sweep: &Sweep,
     mut curves: Vec<Curve>,
     weights: [f64; 2],
-) -> Result<Option<Source<'static>>> {
+) -> Result<Option<Source<'static>>, WindowError> {
     // Where smooth rotation is lost, stick-slip follows, which can last there anyway.
     curves.retain(|curve| curve.method.is_some());
     // Where the string rubs along its well, that has a part in it.
@@ -133,14 +133,14 @@ fn of_curves(
     let names: Vec<&str> = (curves.iter())
         .filter_map(|curve| curve.method.as_deref())
         .collect();
-    let told = match &names[..] {
+    let description = match &names[..] {
         [name] => format!("by {name}"),
         names => format!("margin: between {}", names.join(", ")),
     };
     let lines = curves.iter().flat_map(|curve| curve.pieces.clone());
     Ok(Some(Source {
         name: "stick-slip can last (Eq. 74)".to_owned(),
-        told,
+        description,
         edges: Default::default(),
         drawn: Drawn::Lines(lines.collect()),
         standing: Box::new(move |ends| below_curves(&curves, ends)),

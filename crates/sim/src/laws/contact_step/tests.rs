@@ -68,7 +68,7 @@ fn what_has_one_answer_slides_faster_with_more_friction() {
     TestRunner::new(config)
         .run(&any_step(), |(wall, approach)| {
             let distance = approach.free_position[0];
-            let press = Press::new(&wall, &approach, distance);
+            let press = ContactStep::new(&wall, &approach, distance);
             let has_one = press.has_one_answer();
             let count = &counts[usize::from(has_one)];
             count.set(count.get() + 1);

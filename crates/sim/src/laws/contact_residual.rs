@@ -10,7 +10,7 @@ use super::wall::Wall;
 const TOLERANCE: f64 = 1e-9;
 
 /// A step with its answer.
-pub(super) struct Obeyed<'a> {
+pub(super) struct ContactResidual<'a> {
     pub(super) wall: &'a Wall,
     pub(super) approach: &'a Approach<'a>,
     /// |p_h|, m.
@@ -19,7 +19,7 @@ pub(super) struct Obeyed<'a> {
     pub(super) contact: &'a Contact,
 }
 
-impl Obeyed<'_> {
+impl ContactResidual<'_> {
     /// Whether an answer obeys the laws of contact; what is no number does not.
     pub(super) fn laws(&self) -> bool {
         let (approach, trial, contact) = (self.approach, self.trial, self.contact);
@@ -74,8 +74,7 @@ impl Obeyed<'_> {
         sliding_speed.abs() <= self.least_speed()
     }
 
-    /// The least speed at which what slides is known from what rolls; no number where those that
-    /// meet are none.
+    /// The least speed that distinguishes sliding from rolling; NaN where the speeds that meet are.
     fn least_speed(&self) -> f64 {
         let (wall, approach, trial) = (self.wall, self.approach, self.trial);
         let (gives, free_speed) = (approach.spin.compliance, approach.spin.free_speed);

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use super::comparison::Compared;
+use super::comparison::ComparedLabel;
 use super::junit::junit;
 use crate::cli::CheckFormat;
 use campaign::words::counted;
@@ -17,7 +17,7 @@ pub struct CheckReport<'a> {
     /// How far its cases are from where their labels change, where it says so.
     pub margin: Option<String>,
     /// Every label that it has.
-    pub compared: &'a [Compared],
+    pub compared: &'a [ComparedLabel],
 }
 
 impl CheckReport<'_> {
@@ -36,14 +36,14 @@ impl CheckReport<'_> {
     /// A line for each label that differs, and how many do not.
     pub fn for_people(&self) -> String {
         let lines = self.different().map(|(label, difference)| {
-            let Compared { case, method, .. } = label;
+            let ComparedLabel { case, method, .. } = label;
             format!("case {case} by {method}: {}: {difference}\n", label.values)
         });
         lines.collect::<String>() + &self.count()
     }
 
     /// Each label that differs, with what is said of it.
-    pub fn different(&self) -> impl Iterator<Item = (&Compared, &str)> {
+    pub fn different(&self) -> impl Iterator<Item = (&ComparedLabel, &str)> {
         let labels = self.compared.iter();
         labels.filter_map(|label| Some((label, label.difference.as_deref()?)))
     }
@@ -65,7 +65,7 @@ impl CheckReport<'_> {
     fn annotations(&self) -> String {
         let file = property(&self.reference.display().to_string());
         let commands = self.different().map(|(label, difference)| {
-            let Compared { case, method, .. } = label;
+            let ComparedLabel { case, method, .. } = label;
             let title = property(&format!("{} label differs", label.motion.adjective()));
             let message = format!("case {case} by {method}: {}: {difference}", label.values);
             let message = data(&message);
@@ -87,14 +87,14 @@ pub fn annotation(file: &Path, error: &str) -> String {
     )
 }
 
-/// A line that is no command of a workflow, whatever is in it.
+/// A line that is no command of a workflow, for any text.
 fn plain_line(text: &str) -> String {
     let text = text.trim_end().replace(['\r', '\n'], " ");
     let begins_one = text.trim_start().starts_with("::");
     format!("{}{text}\n", if begins_one { "labels: " } else { "" })
 }
 
-/// What follows `::` in a command of a workflow: a line, whatever is in it.
+/// What follows `::` in a command of a workflow: one line, for any text.
 fn data(text: &str) -> String {
     let text = text.replace('%', "%25");
     text.replace('\r', "%0D").replace('\n', "%0A")
