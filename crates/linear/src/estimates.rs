@@ -64,7 +64,7 @@ pub fn torsional_decay_rate(string: &Drillstring) -> f64 {
 }
 
 /// Torque per speed of the whole string where it turns alike everywhere, at the Laplace variable s
-/// (rad/s, off the negative real axis), beyond that of its own inertia, N m s/rad.
+/// (rad/s, off the negative real axis), without that of the inertia of its tubes, N m s/rad.
 pub(crate) fn torsional_drag(string: &Drillstring, s: Complex64) -> Complex64 {
     let mut drag = Complex64::from(string.torsional_damping() * string.length());
     for Alike { length, mud, .. } in in_mud::tubes(string) {

@@ -182,7 +182,7 @@ mod tests {
 
     /// In 34 digits by mpmath (`scripts/mud-drag.py`).
     #[test]
-    fn val_bessel_functions_are_those_of_mpmath() {
+    fn bessel_functions_are_those_of_mpmath() {
         for row in reference::numbers(include_str!("reference/bessel.csv"), 0) {
             let z = Complex64::new(row[0], row[1]);
             let Bessel { i, k } = Bessel::at(z);
@@ -196,7 +196,7 @@ mod tests {
 
     /// z (I₀ K₁ + I₁ K₀) = 1 wherever the real part is not negative.
     #[test]
-    fn val_the_wronskian_is_one_over_z() {
+    fn the_wronskian_is_one_over_z() {
         for size in 0..600 {
             for turn in -10..=10 {
                 let angle = 0.05 * std::f64::consts::PI * f64::from(turn);

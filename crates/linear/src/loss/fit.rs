@@ -3,7 +3,7 @@
 //! passive as what it stands for (C. L. Lawson and R. J. Hanson, *Solving Least Squares
 //! Problems*, 1974, chapter 23).
 //!
-//! The drag of mud is a sum of relaxations, one for each way in which it can come to rest between
+//! The drag of mud is a sum of relaxations, one for each way in which it can stop between
 //! its walls, with weights that are not negative; there are infinitely many of them, and a few whose
 //! rates are spread evenly over the decades serve as well.
 
@@ -179,7 +179,7 @@ mod tests {
 
     /// Weights that would be negative are zero, and the others then the best.
     #[test]
-    fn val_weights_are_the_best_that_are_not_negative() {
+    fn weights_are_the_best_that_are_not_negative() {
         // By hand: of x + y = 1, x = 2, y = 0 the best has y = 0, x = 3/2.
         let matrix = Mat::from_fn(3, 2, |row, column| {
             [[1.0, 1.0], [1.0, 0.0], [0.0, 1.0]][row][column]
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn val_a_sum_of_relaxations_is_found_again() {
+    fn a_sum_of_relaxations_is_found_again() {
         let rates = rates();
         let of = [(3, 0.7), (9, 2.0), (12, 0.01)].map(|(index, weight)| Relaxation {
             weight,
@@ -206,7 +206,7 @@ mod tests {
     /// The drag of mud of water to a gel in annuli of any width, by relaxations with
     /// non-negative weights, at rest exactly.
     #[test]
-    fn val_a_fit_of_mud_is_passive_and_known_to_a_part() {
+    fn a_fit_of_mud_is_passive_and_known_to_a_part() {
         for (viscosity, hole, most) in [
             (1e-3, 0.07, 5e-3),
             (0.03, 0.108, 5e-3),

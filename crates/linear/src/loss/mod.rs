@@ -83,7 +83,7 @@ impl Loss {
         self.mud.is_some() || !self.material.is_empty()
     }
 
-    /// Whether a string that vibrates in torsion comes to rest.
+    /// Whether a string that vibrates in torsion loses energy until it stops.
     pub fn damps_torsion(&self) -> bool {
         self.torsional_damping > 0.0 || self.has_memory()
     }

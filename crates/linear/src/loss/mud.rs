@@ -130,7 +130,7 @@ mod tests {
 
     /// The flow from its boundary conditions, in 34 digits by mpmath (`scripts/mud-drag.py`).
     #[test]
-    fn val_drag_is_that_of_the_flow_between_its_walls() {
+    fn drag_is_that_of_the_flow_between_its_walls() {
         for row in reference::numbers(include_str!("reference/drag.csv"), 0) {
             let [viscosity, density, inner, outer, hole] = row[..5] else {
                 unreachable!()
@@ -159,7 +159,7 @@ mod tests {
 
     /// 4πμ R²R_h²/(R_h² − R²) outside; inside the mud turns along as if it were solid.
     #[test]
-    fn val_slow_turning_meets_couette_flow_and_solid_mud() {
+    fn slow_turning_meets_couette_flow_and_solid_mud() {
         let s = Complex64::new(0.0, 1e-7);
         let outside = PIPE.turning_outside(s);
         assert_near(
@@ -180,7 +180,7 @@ mod tests {
 
     /// 2πR³ √(ρμs) on either wall.
     #[test]
-    fn val_fast_turning_meets_the_drag_of_a_plane_wall() {
+    fn fast_turning_meets_the_drag_of_a_plane_wall() {
         let s = Complex64::new(0.0, 1e9);
         let plane = (s * PIPE.density * PIPE.viscosity).sqrt() * 2.0 * PI;
         assert_near(PIPE.turning_outside(s), plane * PIPE.outer.powi(3), 2e-4);
@@ -189,7 +189,7 @@ mod tests {
 
     /// Figures that were known beforehand.
     #[test]
-    fn val_drag_of_a_pipe_at_three_frequencies() {
+    fn drag_of_a_pipe_at_three_frequencies() {
         for (frequency, re, im) in [
             (0.1, 6.569_606e-3, 5.392_740e-3),
             (1.0, 1.825_552e-2, 1.710_304e-2),
@@ -205,7 +205,7 @@ mod tests {
     /// Slowly: the drag of creeping flow between two cylinders. Fast: the mud that is pushed aside,
     /// πρR² (R_h² + R²)/(R_h² − R²), as without viscosity.
     #[test]
-    fn val_moving_across_meets_creeping_flow_and_added_mass() {
+    fn moving_across_meets_creeping_flow_and_added_mass() {
         let ratio = (PIPE.hole / PIPE.outer).powi(2);
         let creeping = 0.5 * ratio.ln() - (ratio - 1.0) / (ratio + 1.0);
         let creeping = 4.0 * PI * PIPE.viscosity / creeping;
@@ -221,7 +221,7 @@ mod tests {
 
     /// A thin annulus: lubrication, 12πμ (R/h)³ at a gap h, to the first order in h/R.
     #[test]
-    fn val_a_thin_annulus_is_a_squeezed_film() {
+    fn a_thin_annulus_is_a_squeezed_film() {
         let drag = |gap: f64| {
             let thin = Annulus {
                 hole: PIPE.outer * (1.0 + gap),
@@ -240,7 +240,7 @@ mod tests {
 
     /// A wide one: Stokes' cylinder in mud without end, πρR²s (1 + 4K₁/(αK₀)).
     #[test]
-    fn val_a_wide_annulus_is_mud_without_end() {
+    fn a_wide_annulus_is_mud_without_end() {
         let wide = Annulus { hole: 5.0, ..PIPE };
         for frequency in [0.5, 5.0, 50.0] {
             let s = Complex64::new(0.0, 2.0 * PI * frequency);
@@ -255,7 +255,7 @@ mod tests {
 
     /// Sums and power series, where both serve.
     #[test]
-    fn reg_slow_and_fast_formulas_meet() {
+    fn slow_and_fast_formulas_meet() {
         let at = |size: f64, angle: f64| {
             let kappa = Complex64::from_polar(size / PIPE.hole, angle);
             PIPE.against_moving(kappa * kappa * PIPE.viscosity / PIPE.density)
@@ -270,7 +270,7 @@ mod tests {
     /// No fluid gives energy back: on the imaginary axis the drag has a positive real part, and
     /// within the right half plane it is positive-real.
     #[test]
-    fn val_mud_takes_energy_at_every_frequency() {
+    fn mud_takes_energy_at_every_frequency() {
         for (viscosity, hole) in [(1e-3, 0.07), (0.03, 0.108), (0.5, 0.5)] {
             let annulus = Annulus {
                 viscosity,

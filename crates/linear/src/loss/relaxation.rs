@@ -54,7 +54,7 @@ mod tests {
 
     /// To 7 % of itself, from 0.05 to 500 Hz; the ripple of a step of four is less than 1 %.
     #[test]
-    fn val_the_angle_of_the_modulus_is_the_loss_factor() {
+    fn the_angle_of_the_modulus_is_the_loss_factor() {
         let terms = ladder(1e-3);
         assert_eq!(terms.len(), 10);
         for index in 0..=400 {
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn val_at_rest_nothing_is_added_and_energy_is_only_taken() {
+    fn at_rest_nothing_is_added_and_energy_is_only_taken() {
         let terms = ladder(0.02);
         assert_eq!(sum(&terms, Complex64::ZERO), Complex64::ZERO);
         for size in -30..40 {
