@@ -14,7 +14,7 @@ run *ARGS:
 
 # Run the tests of a crate whose names contain a word: just test sim wall
 test CRATE NAME="":
-    cargo test --release --locked -p {{CRATE}} {{NAME}}
+    cargo test --release --locked --manifest-path crates/{{CRATE}}/Cargo.toml {{NAME}}
 
 # Run all tests
 test-all:
@@ -23,7 +23,7 @@ test-all:
 # Format, and lint a crate: just lint sim
 lint CRATE:
     cargo fmt --all
-    cargo clippy --release --locked -p {{CRATE}} --all-targets -- -D warnings
+    cargo clippy --release --locked --manifest-path crates/{{CRATE}}/Cargo.toml --all-targets -- -D warnings
 
 # Compare the labels of the paper's maps with the reference
 labels:
@@ -37,7 +37,7 @@ doc:
 
 # Renew the tables of keys in docs/sweep-file.md
 guide:
-    UPDATE_GUIDE=1 cargo test --release --locked -p campaign the_tables_of_the_guide
+    UPDATE_GUIDE=1 cargo test --release --locked -p drillstring-campaign the_tables_of_the_guide
 
 # Build the Python wheel into dist/
 wheel:

@@ -1,8 +1,9 @@
 #!/usr/bin/env node
 // Plays with a page of `sweep explore` in headless Chromium: moves each slider, the dot on the
 // map and a number, waits for what is drawn, and prints how long cases took. Fails if nothing
-// is drawn, the page asks for anything but itself, says anything on the console or is wider
-// than a phone. FOLDER gets pictures to look at, and history.json: the history that is shown
+// is drawn, a wrong number is not marked at its field, a slider moves out of the sight of what it
+// changes, a picture does not open in large, the page asks for anything but itself, says anything on
+// the console or is wider than the screen of a desk, a tablet or a phone. FOLDER gets pictures to look at, and history.json: the history that is shown
 // at last, with the command that repeats it.
 //
 //     scripts/look-at-explore.mjs explore.html FOLDER
@@ -64,6 +65,22 @@ if (await evaluate("data.map !== null")) {
   await shown();
   if (await evaluate(here) === was) faults.push("the dot does not move by arrow keys");
 }
+// No number, and one that no file may have: each is marked where it stands.
+const typed = async (axis, value) => {
+  await evaluate(`{ const it = document.getElementById("number-${axis}"); it.value = "${value}"; it.dispatchEvent(new Event("input")); it.dispatchEvent(new Event("change")); }`);
+  return evaluate(`(() => { const it = document.getElementById("number-${axis}");
+    return [it.getAttribute("aria-invalid"), document.getElementById(it.getAttribute("aria-describedby")).textContent]; })()`);
+};
+for (const axis of axes) {
+  for (const wrong of ["", "1e300"]) {
+    const [isInvalid, words] = await typed(axis, wrong);
+    if (isInvalid !== "true" || !words) faults.push(`${axis} = "${wrong}" is not marked: ${words}`);
+  }
+  const kept = await evaluate(`document.getElementById("range-${axis}").value`);
+  const [isInvalid, words] = await typed(axis, kept);
+  if (isInvalid === "true" || words) faults.push(`${axis} = ${kept} is marked: ${words}`);
+  await shown();
+}
 await evaluate(`document.getElementById("range-${axes[0]}").dispatchEvent(new Event("change"))`);
 const last = await shown();
 const history = await evaluate(`Object.fromEntries(Object.entries(window.shown.columns).map(([name, values]) => [name, [...values]]))`);
@@ -71,15 +88,35 @@ const command = await evaluate("document.getElementById('command').value");
 writeFileSync(join(folder, "history.json"), JSON.stringify({ command, method: last.method, history }));
 
 for (const [name, width, height, scheme, scale] of [
-  ["desk.png", 1280, 800, "light", 1],
-  ["dark.png", 1280, 800, "dark", 1],
-  ["phone.png", 360, 740, "light", 2],
-  ["phone-dark.png", 360, 740, "dark", 2],
+  ["desk.png", 1600, 1000, "light", 1],
+  ["dark.png", 1600, 1000, "dark", 1],
+  ["tablet.png", 820, 1180, "light", 1],
+  ["tablet-dark.png", 820, 1180, "dark", 1],
+  ["phone.png", 390, 844, "light", 2],
+  ["phone-dark.png", 390, 844, "dark", 2],
 ]) {
   await page("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: scale, mobile: width < 500 });
   await page("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: scheme }] });
-  const wide = await evaluate("document.documentElement.scrollWidth");
+  const wide = await evaluate("Math.max(document.scrollingElement.scrollWidth, innerWidth)");
   if (wide > width) faults.push(`${name}: the page is ${wide} px wide`);
+  // Each slider together with what it changes.
+  for (const axis of axes) {
+    const together = await evaluate(`(() => {
+      document.getElementById("range-${axis}").scrollIntoView({ block: "end" });
+      const [slider, chart] = [document.getElementById("range-${axis}"), document.querySelector("#lead .area")].map((it) => it.getBoundingClientRect());
+      return chart.top >= 0 && chart.bottom <= innerHeight && slider.bottom <= innerHeight + 1 && (slider.top >= chart.bottom || slider.right <= chart.left);
+    })()`);
+    if (!together) faults.push(`${name}: ${axis} and what it changes are not seen together`);
+  }
+  if (width < 500) writeFileSync(join(folder, `together-${name}`), Buffer.from((await page("Page.captureScreenshot", {})).data, "base64"));
+  await evaluate("scrollTo(0, 0)");
+  const large = await evaluate(`(() => {
+    document.querySelector(".enlarge").click();
+    const isOpen = document.querySelector("dialog.zoom").open && document.querySelector(".zoom-content .area").clientWidth > 200;
+    document.querySelector("dialog.zoom").close();
+    return isOpen;
+  })()`);
+  if (!large) faults.push(`${name}: a picture does not open in large`);
   await picture(name);
 }
 await page("Emulation.setScriptExecutionDisabled", { value: true });

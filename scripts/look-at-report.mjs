@@ -1,7 +1,8 @@
 #!/usr/bin/env node
-// Opens a report as its readers do, in headless Chromium: at a desk, in the dark, on
-// a phone and in print. Fails if the page asks for anything but itself, says
-// anything on the console, or is wider than the phone. Points at cases of its maps, by mouse,
+// Opens a report as its readers do, in headless Chromium: at a desk, on a tablet and on a phone, by
+// day and in the dark, and in print. Fails if the page asks for anything but itself, says anything
+// on the console, is wider than the screen with all of it unfolded, or has letters that are too small
+// to read. Opens a map in large and closes it again. Points at cases of its maps, by mouse,
 // keys and touch, and fails unless it shows the values of labels.csv of the results folder. With
 // SWEEP, the program, where the sweep files are, it runs the commands that the page gives for those
 // cases, and fails unless the page's own motion is that of history.csv to 1e-9. Look at the
@@ -42,7 +43,7 @@ const read = (results) => {
 const shownOf = (selector) =>
   evaluate(`(() => {
     const element = document.querySelector(${JSON.stringify(selector)});
-    const numbers = [...element.querySelectorAll("[title]")].map((one) => Number(one.title));
+    const numbers = [...element.querySelectorAll("[title]:not(button)")].map((one) => Number(one.title));
     const shown = element.matches("dialog") ? element.open : !element.hidden;
     return { shown, text: element.innerText, numbers };
   })()`);
@@ -88,7 +89,7 @@ const click = async (place) => {
 const CODES = { Enter: 13, Escape: 27, ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40 };
 const key = async (name) => {
   const windowsVirtualKeyCode = CODES[name];
-  for (const type of ["keyDown", "keyUp"]) await page("Input.dispatchKeyEvent", { type, key: name, code: name, windowsVirtualKeyCode });
+  for (const type of ["keyDown", "keyUp"]) await page("Input.dispatchKeyEvent", { type, key: name, code: name, windowsVirtualKeyCode, text: name === "Enter" ? "\r" : undefined });
 };
 const picture = async (name) => save(`${name}.png`, (await page("Page.captureScreenshot")).data);
 
@@ -153,14 +154,14 @@ const pointAt = async (figure, cases, name) => {
     compare(`${what}, pointed at`, await shownOf(".tip"), rows, 2);
     if (place > 0 && place < all.length - 1) await picture(`${name}-tip`);
     await click(at);
-    const opened = await shownOf("dialog");
+    const opened = await shownOf(CASE);
     compare(`${what}, opened`, opened, rows, 4);
     fault(!opened.text.includes(`--case ${rows[0].case}`), `${what}: no command`);
     // By day alone: the program takes its time.
     await compareHistory(what, name.startsWith("desk") && /sweep (simulate .*)/.exec(opened.text)?.[1], rows);
     if (place > 0 && place < all.length - 1) await picture(`${name}-case`);
     await key("Escape");
-    fault((await shownOf("dialog")).shown, `${what}: Escape does not close it`);
+    fault((await shownOf(CASE)).shown, `${what}: Escape does not close it`);
   }
 };
 
@@ -180,7 +181,7 @@ const goByKeys = async (cases) => {
   fault(cases.size > 1 && !(after !== before), `arrow keys stay at case ${before}`);
   const last = await shown(".tip");
   await key("Enter");
-  fault((await shown("dialog")) !== last || !(await shownOf("dialog")).shown, "Enter does not open the case");
+  fault((await shown(CASE)) !== last || !(await shownOf(CASE)).shown, "Enter does not open the case");
   await key("Escape");
   fault((await evaluate(`document.activeElement === ${area}`)) !== true, "Escape does not go back to the map");
 };
@@ -188,44 +189,94 @@ const goByKeys = async (cases) => {
 /** A finger: a first touch shows the values, a second opens the case. */
 const touch = async (rows) => {
   const place = await placeOf(0, rows);
-  for (const expected of [".tip", "dialog"]) {
+  for (const expected of [".tip", CASE]) {
     await page("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [place] });
     await page("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
     const said = await shownOf(expected);
     fault(!said.shown || !said.text.includes(`Case ${rows[0].case}`), `touch: ${expected} does not show the case`);
-    if (expected === "dialog") await compareHistory("phone", null, rows);
-    await picture(expected === "dialog" ? "phone-case" : "phone-tip");
+    if (expected === CASE) await compareHistory("phone", null, rows);
+    await picture(expected === CASE ? "phone-case" : "phone-tip");
   }
-  fault((await evaluate("document.documentElement.scrollWidth")) > 360, "phone: an open case makes the page wide");
+  fault((await evaluate("document.documentElement.scrollWidth")) > 390, "phone: an open case makes the page wide");
   await key("Escape");
+};
+
+/** What opens with a case. */
+const CASE = "dialog.case";
+
+/** Everything unfolded: nothing is wider than the screen, and no letter is too small. */
+const fits = async (name, width) => {
+  await evaluate(`document.querySelectorAll("details").forEach((one) => { one.open = true; })`);
+  const wide = await evaluate("Math.max(document.scrollingElement.scrollWidth, innerWidth)");
+  fault(wide > width, `${name}: the page is ${wide} px wide`);
+  const small = await evaluate(`(() => {
+    const words = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    let least = Infinity;
+    while (words.nextNode()) {
+      const element = words.currentNode.parentElement;
+      if (!words.currentNode.data.trim() || element.closest("script, style") || element.getClientRects().length === 0) continue;
+      least = Math.min(least, parseFloat(getComputedStyle(element).fontSize));
+    }
+    return least;
+  })()`);
+  fault(small < SMALLEST, `${name}: letters of ${small} px`);
+  await evaluate(`document.querySelectorAll("details").forEach((one) => { one.open = false; })`);
+};
+/** The least size of letters, px. */
+const SMALLEST = 9;
+
+/** Opens the first picture in large by the keyboard, makes it larger, and goes back. */
+const enlarge = async (name) => {
+  if (!(await evaluate(`document.querySelector("main .enlarge") !== null`))) return;
+  await evaluate(`document.querySelector("main .enlarge").focus()`);
+  await key("Enter");
+  const width = () => evaluate(`document.querySelector("dialog.zoom[open] .zoom-content .area")?.clientWidth ?? 0`);
+  const before = await width();
+  fault(before === 0, `${name}: the picture does not open in large`);
+  await picture(`${name}-large`);
+  await key("+");
+  fault(!((await width()) > 1.2 * before), `${name}: the picture does not grow`);
+  await key("Escape");
+  const isBack = `new Promise((done) => {
+    const look = (left) => {
+      const isBack = !document.querySelector("dialog.zoom[open]") && document.activeElement === document.querySelector("main .enlarge");
+      if (isBack || left === 0) done(isBack);
+      else setTimeout(look, 20, left - 1);
+    };
+    look(100);
+  })`;
+  fault(!(await evaluate(isBack)), `${name}: the picture does not go back to its place`);
 };
 
 const save = (name, data) => writeFileSync(join(folder, name), Buffer.from(data, "base64"));
 mkdirSync(folder, { recursive: true });
 await page("Page.addScriptToEvaluateOnNewDocument", { source: KEEP });
 for (const [name, width, height, scheme, scale] of [
-  ["desk", 1280, 800, "light", 1],
-  ["dark", 1280, 800, "dark", 1],
-  ["phone", 360, 780, "light", 2],
-  ["phone-dark", 360, 780, "dark", 2],
+  ["desk", 1600, 1000, "light", 1],
+  ["dark", 1600, 1000, "dark", 1],
+  ["tablet", 820, 1180, "light", 1],
+  ["tablet-dark", 820, 1180, "dark", 1],
+  ["phone", 390, 844, "light", 2],
+  ["phone-dark", 390, 844, "dark", 2],
 ]) {
   await page("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: scale, mobile: width < 500 });
   await page("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: scheme }] });
   await load();
-  const { result } = await page("Runtime.evaluate", { expression: "document.documentElement.scrollWidth" });
-  if (result.value > width) faults.push(`${name}: the page is ${result.value} px wide`);
+  await fits(name, width);
+  await enlarge(name);
   const { data } = await page("Page.captureScreenshot", { captureBeyondViewport: true });
   save(`${name}.png`, data);
   const tables = results.map(read);
   const isRounded = await evaluate(`[...document.querySelectorAll("script[id^=cases]")].some(({ text }) => JSON.parse(text).digits)`);
   if (isRounded) tolerance = 6e-4;
   const isPhone = width < 500;
+  const isDesk = width > 1000;
   if (tables.length > 0 && isPhone && scheme === "light") {
     await page("Emulation.setTouchEmulationEnabled", { enabled: true });
     await touch([...tables[0].values()].at(-1));
     await page("Emulation.setTouchEmulationEnabled", { enabled: false });
   }
-  for (const [figure, cases] of isPhone ? [] : tables.entries()) {
+  for (const [figure, cases] of isDesk ? tables.entries() : []) {
     await pointAt(figure, cases, figure === 0 ? name : `${name}-${figure}`);
   }
   if (tables.length > 0 && name === "desk") await goByKeys(tables[0]);

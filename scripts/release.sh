@@ -22,7 +22,7 @@ refuse() {
 
 target=x86_64-unknown-linux-gnu
 dist=${1:-dist}
-version=$(cargo pkgid --locked -p sweep)
+version=$(cargo pkgid --locked -p drillstring)
 version=${version##*[#@]}
 name=drillstring-sweep-$version-x86_64-linux
 
@@ -31,7 +31,8 @@ name=drillstring-sweep-$version-x86_64-linux
     refuse "there is no libc.a to link with: it is in libc6-dev on Debian, glibc-static on Fedora"
 # Of a release, the engine of the pages has to be made from its sources.
 scripts/renew-page-engine.sh --check
-cargo rustc --release --locked -p sweep --bin sweep -- \
+# With what `sweep export --format parquet` needs.
+cargo rustc --release --locked -p drillstring --bin sweep --features parquet -- \
     -C target-feature=+crt-static -C strip=symbols
 sweep=${CARGO_TARGET_DIR:-target}/release/sweep
 
@@ -45,15 +46,7 @@ cp README.md ARCHITECTURE.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE-*
 cp crates/plot/src/fonts/LICENSE* "$folder/LICENSE-DEJAVU"
 cp -R docs sweeps "$folder/"
 cp scripts/slurm.sh "$folder/scripts/"
-# What the program is built from asks to be named with its licence.
-cargo tree --locked -p sweep --edges normal --target "$target" --prefix none --format '{p}' |
-    sed -n 's/ (\*)$//; s/^\([^ ]*\) v\([^ ]*\)$/\1-\2/p' | LC_ALL=C sort -u |
-    while read -r package; do
-        mkdir -p "$folder/licences/$package"
-        find "${CARGO_HOME:-$HOME/.cargo}"/registry/src/*/"$package" -maxdepth 1 -type f \
-            \( -iname 'licen[cs]e*' -o -iname 'copying*' -o -iname 'unlicense*' -o -iname 'notice*' \) \
-            -exec cp {} "$folder/licences/$package/" \;
-    done
+scripts/licences.sh "$folder/licences" -p drillstring --features parquet --target "$target"
 # glibc asks for more: see docs/without-rust.md.
 mkdir "$folder/licences/glibc"
 for file in /usr/share/doc/libc6-dev/copyright /usr/share/common-licenses/LGPL-2.1 \

@@ -41,7 +41,7 @@ make_engine() {
     # `simd128` is in every browser of the last years; it is what a page's speed needs. Paths of
     # this machine would make it another engine on each.
     RUSTFLAGS="-C target-feature=+simd128 --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo" \
-        cargo build --locked --profile page -p page --target "$target"
+        cargo build --locked --profile page -p drillstring-page --target "$target"
     made=${CARGO_TARGET_DIR:-target}/$target/page/page.wasm
 }
 

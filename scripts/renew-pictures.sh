@@ -11,7 +11,7 @@ trap 'rm -rf "$folder"' EXIT
 images=docs/images
 mkdir -p "$images"
 
-cargo build --release --locked --quiet -p sweep
+cargo build --release --locked --quiet -p drillstring
 sweep=target/release/sweep
 
 # keep FIGURE PICTURE...: copies pictures of a figure, by its name and theirs

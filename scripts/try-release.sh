@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tries an archive of scripts/release.sh as a machine without anything would: its checksums, then
-# the program in an empty root, with a sweep file that it wrote itself, and, where there is a
-# Python, with no system call later than those of Linux 3.10.
+# the program in a root that is empty but for random numbers, with a sweep file that it wrote
+# itself, and, where there is a Python, with no system call later than those of Linux 3.10.
 #
 #   scripts/try-release.sh ARCHIVE.tar.gz
 set -euo pipefail
@@ -32,19 +32,24 @@ answers() {
     "$@" /sweep new --force my-sweep.toml
     "$@" /sweep run my-sweep.toml --out results --fresh
     "$@" /sweep report results
-    for file in labels.csv manifest.json map.png report.html; do
+    "$@" /sweep export results --format parquet
+    "$@" /sweep simulate my-sweep.toml --case 5 --out results/case
+    "$@" /sweep export results/case --table history --format parquet
+    for file in labels.{csv,parquet} manifest.json map.png report.html case/history.parquet; do
         [[ -s $root/results/$file ]]
     done
 }
 
+# Where no call gives random numbers, they come from files that every machine has: of Linux 3.10, and
+# wherever Parquet is written, as a static program cannot ask the C library whether it has the call.
+mkdir "$root/dev"
+for file in random urandom; do
+    head -c 65536 /dev/urandom >"$root/dev/$file"
+done
+
 answers "${into[@]}"
 (cd "$root" && find . -type f | LC_ALL=C sort)
 if command -v python3 >/dev/null; then
-    # Where no call gives random numbers, they come from files that every such machine has.
-    mkdir "$root/dev"
-    for file in random urandom; do
-        head -c 65536 /dev/urandom >"$root/dev/$file"
-    done
     answers "$here/old-kernel.py" "${into[@]}"
 else
     echo "try-release.sh: no python3: tried on this kernel only" >&2

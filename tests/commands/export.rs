@@ -56,7 +56,9 @@ fn parquet_has_every_cell_of_the_labels_and_null_for_empty_ones() {
                 Field::Long(number) => {
                     assert_eq!((name.as_str(), *number), ("case", cell.parse().unwrap()))
                 }
-                Field::Double(number) => assert_eq!(*number, cell.parse().unwrap(), "{name}"),
+                Field::Double(number) => {
+                    assert_eq!(*number, cell.parse::<f64>().unwrap(), "{name}")
+                }
                 other => panic!("{name}: {other:?}"),
             }
         }
@@ -79,4 +81,74 @@ fn parquet_has_every_cell_of_the_labels_and_null_for_empty_ones() {
             assert!(column.dictionary_page_offset().is_some(), "{name}");
         }
     }
+}
+
+/// A row for each step, of every method, with the numbers of the CSV.
+#[cfg(feature = "parquet")]
+#[test]
+fn a_history_is_exported_by_the_same_writer() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+
+    let place = Workplace::with_small(SMALL);
+    let export = ["export", "out", "--table", "history", "--format", "parquet"];
+    std::fs::create_dir(place.path("out")).unwrap();
+    let refused = place.sweep(&export);
+    assert_eq!(refused.code, 2, "{refused:?}");
+    assert!(refused.errors.contains("out holds no history.csv"));
+    assert_eq!(
+        place
+            .sweep(&["simulate", "small.toml", "--out", "out"])
+            .code,
+        0
+    );
+    let answer = place.sweep(&export);
+    assert_eq!(
+        (answer.code, answer.output.as_str()),
+        (0, "out/history.parquet\n")
+    );
+    let mut table = csv::Reader::from_path(place.path("out/history.csv")).unwrap();
+    let header = table.headers().unwrap().clone();
+    let file = std::fs::File::open(place.path("out/history.parquet")).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let rows = reader.get_row_iter(None).unwrap().map(Result::unwrap);
+    let mut steps = 0;
+    for (row, expected) in rows.zip(table.records()) {
+        let expected = expected.unwrap();
+        steps += 1;
+        for ((name, field), (column, cell)) in
+            row.get_column_iter().zip(header.iter().zip(&expected))
+        {
+            assert_eq!(name, column);
+            match field {
+                parquet::record::Field::Str(word) => {
+                    assert_eq!((word.as_str(), column), (cell, "method"))
+                }
+                parquet::record::Field::Long(number) => assert_eq!(number.to_string(), cell),
+                parquet::record::Field::Double(number) => {
+                    assert_eq!(*number, cell.parse::<f64>().unwrap())
+                }
+                other => panic!("{name}: {other:?}"),
+            }
+        }
+    }
+    assert_eq!(steps, 1201);
+    // What a run has of its cases, by the same name.
+    let case = ["export", "out", "--table", "case", "--format", "parquet"];
+    assert_eq!(place.sweep(&case).output, "out/case.parquet\n");
+}
+
+/// Of a case that begins in both ways, the label of each is a column of words.
+#[cfg(feature = "parquet")]
+#[test]
+fn labels_from_both_starts_are_words() {
+    use crate::support::with;
+
+    let both = with(SMALL, "time_s = 12\n", "start = \"both\"\n");
+    let place = Workplace::with_small(&both);
+    assert_eq!(
+        place.sweep(&["run", "small.toml", "--out", "results"]).code,
+        0
+    );
+    let answer = place.sweep(&["export", "results", "--format", "parquet"]);
+    assert_eq!(answer.code, 0, "{answer:?}");
 }

@@ -240,6 +240,6 @@ fn intervals_of_sobol_points_are_explained() {
         );
         let answer = place.sweep(&["analyse", "out", "--indices", "indices.csv"]);
         assert_eq!(answer.code, 2, "{answer:?}");
-        assert!(answer.errors.contains("not in blocks"), "{answer:?}");
+        assert!(answer.errors.contains("need cases in blocks"), "{answer:?}");
     }
 }

@@ -130,7 +130,7 @@ fn responses_longer_than_any_method_gives_are_refused() {
     let text = with(&text, "time_s = 12", "time_s = 200000");
     let words = [
         "small.toml:4: `time_s`: asks for responses of ",
-        "taps, more than any method gives",
+        "steps, more than any method gives",
     ];
     let arguments = [&RUN[..], &["--memory", "900G"]].concat();
     refused(&Workplace::with_small(&text), &arguments, &words);
@@ -327,7 +327,7 @@ fn an_accuracy_that_takes_too_much_memory_says_so() {
     let text = with(&text, "methods = [\"quadrature\"]", "accuracy = \"0.1 %\"");
     let place = Workplace::with_small(&text);
     let words = [
-        "small.toml:5: `accuracy`: 00.1 % cannot be estimated",
+        "small.toml:5: `accuracy`: 0.1 % cannot be estimated",
         " Hz the reference is too large for the memory: ",
         "more than 2 MiB, given by --memory",
     ];

@@ -115,3 +115,41 @@ fn a_shard_that_is_complete_is_not_said_to_have_a_map() {
         "{again}"
     );
 }
+
+/// Analysis, reports and windows read what the log held; without it, the same from the text of
+/// `labels.csv`: a grid that certifies, a file with walls and found sites, and measures of each.
+#[test]
+fn rows_from_records_are_those_of_the_table() {
+    use campaign::records::Measure;
+    use results::folder::{LabelRow, Manifest, label_rows};
+
+    let sweeps = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../sweeps");
+    let certified = "certify = true\nmethods = [\"held\", \"finite-element\"]\n";
+    let few = "[design]\nkind = \"monte-carlo\"\ncases = 12\nseed = 3\n[design.axes]\n";
+    let bit = "weight_on_bit_kn = { from = 20, to = 200 }\n\
+               surface_speed_rpm = { from = 20, to = 150 }\n";
+    let wall = "impulse_ratio = { from = 0.9, to = 5 }\nfriction = { from = 0.5, to = 3 }\n";
+    for (base, more) in [
+        ("fig09_certified.toml", format!("{certified}{few}{bit}")),
+        ("fig14.toml", format!("{few}{wall}")),
+        ("fig16b_found.toml", String::new()),
+        ("well_b.toml", String::new()),
+    ] {
+        let place = Workplace::new();
+        let file = sweeps.join(base).display().to_string();
+        place.write("a.toml", format!("base = \"{file}\"\n{more}"));
+        let output = place.sweep(&["run", "a.toml", "--out", "out", "--quiet"]);
+        assert_eq!(output.code, 0, "{base}: {}", output.errors);
+        let folder = place.path("out");
+        let axes = Manifest::read(&folder).unwrap().axes;
+        let measures: Vec<Measure> = Measure::severities().collect();
+        let rows = || -> Vec<LabelRow> {
+            let rows = label_rows(&folder.join("labels.csv"), &axes, &measures).unwrap();
+            rows.map(|row| row.unwrap()).collect()
+        };
+        let recorded = rows();
+        std::fs::remove_file(folder.join("records.jsonl.gz")).unwrap();
+        assert!(!recorded.is_empty());
+        assert_eq!(recorded, rows(), "{base}");
+    }
+}

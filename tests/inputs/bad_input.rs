@@ -29,7 +29,7 @@ fn a_misspelt_key_is_named_with_its_line() {
         [bit] => [bit]⏎weight_on_bit = 10 | bit.weight_on_bit | did you mean `weight_on_bit_kn`?
         [30, 70] } => [30, 70] }⏎[method.finite_element]⏎gamma = 0.6 | method.finite_element | did you mean `finite-element`? | finite_element
         count = 3 => number = 3 | design.axes.surface_speed_rpm.number | known here: from, to, count
-        [map] => [plot] | plot | known here: title
+        [map] => [plot] | plot | known here: name, title
         density_kg_m3 => density | string.density | did you mean `density_kg_m3`?
         [map] => [map]⏎methods = ["hilbert"] | map.methods | it belongs above the first [table]
         "#,

@@ -2,7 +2,7 @@
 //! refused, or kept aside case by case with a reason; or it takes long, and stops when it
 //! is asked to. None panics, is aborted, or hangs.
 //!
-//! `EXTREME_FILES=10000 cargo test --release -p sweep --test inputs extremes -- --nocapture` runs
+//! `EXTREME_FILES=10000 cargo test --release -p drillstring --test inputs extremes -- --nocapture` runs
 //! more of them, `EXTREME_FIRST=5000` others, `EXTREME_SECONDS=3` gives each less time.
 
 #![cfg(unix)]

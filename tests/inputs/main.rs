@@ -5,8 +5,10 @@ mod bad_input;
 mod bha_sheet;
 mod extremes;
 mod files;
+mod listed_results;
 mod random_axes;
 mod schema;
+mod standard_input;
 
 #[allow(dead_code, reason = "other test programs use more of it")]
 #[path = "../support/refusals.rs"]

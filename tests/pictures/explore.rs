@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::support::{SMALL, Workplace};
+use crate::support::{SMALL, Workplace, with};
 use serde_json::Value;
 
 /// Most bytes of a page.
@@ -26,7 +26,7 @@ fn a_page_is_one_small_file_with_the_case_in_it() {
     assert!(html.len() as u64 <= LARGEST, "{} bytes", html.len());
     assert!(html.contains("sweep simulate 'a small one.toml' --case 2"));
     // What is seen without scripts.
-    assert!(html.contains("<td>bit_speed_peak_rpm</td>"));
+    assert!(html.contains("Greatest bit speed (rpm)</td>"));
     let refused = place.sweep(&["explore", "a small one.toml", "--case", "6"]);
     assert_eq!(refused.code, 2, "{}", refused.errors);
     assert!(
@@ -36,18 +36,56 @@ fn a_page_is_one_small_file_with_the_case_in_it() {
     );
 }
 
+/// With friction all along the string, what `held` builds takes minutes in a browser.
+#[test]
+fn a_page_simulates_by_a_method_that_is_built_within_seconds() {
+    let friction = "[well]\nsurvey = \"survey.csv\"\n[string_friction]\nstatic_coefficient = 0.3\n\
+        dynamic_ratio = 0.7\nstribeck_rpm = 5\npressed_by = \"weight\"\n[design]";
+    let small = with(SMALL, "[design]", friction);
+    let method_of = |methods: &str| {
+        let place = Workplace::new();
+        place.write(
+            "survey.csv",
+            "md_m,inc_deg,azi_deg\n0,0,0\n200,40,0\n9000,40,0\n",
+        );
+        let sweep = with(
+            &small,
+            "methods = [\"quadrature\"]",
+            &format!("methods = {methods}"),
+        );
+        place.write("sweep.toml", &sweep);
+        let done = place.sweep(&["explore", "sweep.toml"]);
+        assert_eq!(done.code, 0, "{}", done.errors);
+        let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
+        let data = html.split("id=\"data\">").nth(1).unwrap();
+        let data: Value = serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();
+        [data["method"].clone(), data["slow"].clone()]
+    };
+    assert_eq!(
+        method_of("[\"held\", \"quadrature\"]"),
+        ["quadrature", "held"]
+    );
+    assert_eq!(method_of("[\"held\"]"), ["held", "held"]);
+    assert_eq!(
+        method_of("[\"quadrature\"]"),
+        [Value::from("quadrature"), Value::Null]
+    );
+}
+
 #[test]
 #[ignore = "needs Node and Chromium"]
 fn what_a_page_shows_at_last_is_what_its_command_simulates() {
     held_to_its_command(SMALL);
 }
 
-/// Sliders are in other units then, and the command is not.
+/// Sliders, numbers and the command are in these units then.
 #[test]
 #[ignore = "needs Node and Chromium"]
 fn so_it_is_in_field_units() {
     let html = held_to_its_command(&format!("units = \"field\"\n{SMALL}"));
     assert!(html.contains("Weight on bit W (klbf)") && html.contains("klbf ft"));
+    assert!(html.contains("\"name\":\"weight_on_bit_klbf\""));
+    assert!(html.contains("Dynamic torque T_d (lbf ft)</td>"));
 }
 
 /// Between walls the lines of the map come with the page.

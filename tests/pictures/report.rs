@@ -2,6 +2,7 @@
 //! nothing but itself.
 
 mod large;
+mod opening;
 mod page;
 mod units;
 
@@ -25,6 +26,11 @@ fn succeeds(place: &Workplace, arguments: &[&str]) -> Answer {
 
 fn text(place: &Workplace, file: &str) -> String {
     std::fs::read_to_string(place.path(file)).unwrap()
+}
+
+/// A text of the terminal with its paragraphs on one line each.
+fn unwrapped(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// Copies a results folder, with `labels.csv` changed.
@@ -68,7 +74,8 @@ fn the_summary_counts_the_rows_of_labels() {
         assert_eq!(cells[1..3], expected, "{summary}");
         assert_eq!(cells[3], "0");
     }
-    assert!(summary.contains("6 cases by 2 methods"), "{summary}");
+    let asked = "6 cases on a grid, by 2 methods: quadrature and finite-element.";
+    assert!(unwrapped(&summary).contains(asked), "{summary}");
     assert!(
         summary.lines().all(|line| line.chars().count() <= 100),
         "{summary}"

@@ -1,8 +1,9 @@
 //! The Python package, a separate workspace, is built from the versions of this one. `deny.toml`,
 //! which CI checks, says what both may be built from.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use std::process::Command;
 
 use serde::Deserialize;
 
@@ -44,6 +45,42 @@ fn differing(packages: &[Package], from: &[Package]) -> Vec<String> {
 #[test]
 fn the_python_package_is_built_from_the_versions_of_the_workspace() {
     let differing = differing(&locked("../python"), &locked("../.."));
+    assert!(differing.is_empty(), "{differing:#?}");
+}
+
+/// The features of each package that a manifest's default members are built from: for what runs, and
+/// for what builds it.
+fn features(manifest: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join(manifest);
+    let tree = Command::new(env!("CARGO"))
+        .args(["tree", "--locked", "--offline", "--no-dedupe"])
+        .args(["--edges", "normal,build", "--prefix", "none"])
+        .args(["--format", "{p};{f}", "--manifest-path"])
+        .arg(manifest)
+        .output()
+        .unwrap();
+    assert!(tree.status.success(), "{tree:?}");
+    let mut features = BTreeMap::<_, BTreeSet<_>>::new();
+    for line in String::from_utf8(tree.stdout).unwrap().lines() {
+        let (package, of_package) = line.split_once(';').unwrap();
+        let found = features.entry(package.to_owned()).or_default();
+        found.insert(of_package.to_owned());
+    }
+    features
+}
+
+/// What is built with other features is built again: nearly all, where it is below `faer`.
+#[test]
+fn the_wheel_is_made_of_what_the_program_is_built_from() {
+    let program = features("../sweep/Cargo.toml");
+    let wheel = features("../python/Cargo.toml");
+    let shared = wheel
+        .iter()
+        .filter(|(package, _)| program.contains_key(*package));
+    assert!(shared.clone().count() > 100);
+    let differing: Vec<_> = shared
+        .filter(|(package, features)| !features.is_subset(&program[*package]))
+        .collect();
     assert!(differing.is_empty(), "{differing:#?}");
 }
 

@@ -125,22 +125,3 @@ fn typed_commands_name_files_that_are_there() {
     }
     assert!(seen > 10, "{seen}");
 }
-
-/// What a registry shows of a package: each crate has its own description, and the rest of the
-/// workspace.
-#[test]
-fn every_crate_describes_itself() {
-    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut descriptions = BTreeSet::new();
-    for entry in std::fs::read_dir(crates).unwrap() {
-        let path = entry.unwrap().path().join("Cargo.toml");
-        let manifest = std::fs::read_to_string(&path).unwrap();
-        let manifest: toml::Table = manifest.parse().unwrap();
-        let package = manifest["package"].as_table().unwrap();
-        for key in ["license", "authors", "readme", "keywords", "categories"] {
-            assert!(package.contains_key(key), "{key} in {}", path.display());
-        }
-        let description = package["description"].as_str().unwrap().to_owned();
-        assert!(descriptions.insert(description), "{}", path.display());
-    }
-}

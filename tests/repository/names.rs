@@ -3,28 +3,13 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use crate::{root, rust_files};
+
 /// A test: the file that it is in, its name, and why it is ignored, if it is.
 struct Test {
     file: PathBuf,
     name: String,
     ignored: Option<String>,
-}
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// The Rust files below a folder.
-fn files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).unwrap();
-    let paths = entries.map(|entry| entry.unwrap().path());
-    paths
-        .flat_map(|path| match path.is_dir() {
-            true => files(&path),
-            false => vec![path],
-        })
-        .filter(|path| path.extension().is_some_and(|end| end == "rs"))
-        .collect()
 }
 
 /// The tests of a file, within macros too.
@@ -51,7 +36,7 @@ fn all_tests() -> Vec<Test> {
     let mut all = Vec::new();
     for folder in ["tests", "crates"] {
         all.extend(
-            files(&root().join(folder))
+            rust_files(&root().join(folder))
                 .iter()
                 .flat_map(|it| tests_of(it)),
         );

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use crate::root;
 use crate::support::Workplace;
 
 /// A piece of a sweep file on a page.
@@ -81,10 +82,6 @@ const BASES: [(&str, &str); 1] = [(
          [design.axes]\nsurface_speed_rpm = { values = [0.1, 0.3] }\n\
          weight_on_bit_kn = { values = [50] }\n",
 )];
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
 
 /// A folder with all that is shipped in `sweeps`.
 fn workplace() -> Workplace {

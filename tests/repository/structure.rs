@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use syn::visit::{self, Visit};
-use syn::{Attribute, Ident, ItemMod, ItemUse, UseTree, VisRestricted, Visibility};
+use syn::{Ident, ItemMod, ItemUse, UseTree, VisRestricted, Visibility};
 
 /// A module by its path from the root of the crate, which is empty.
 type Module = Vec<String>;
@@ -116,6 +116,14 @@ impl Crate {
     }
 }
 
+/// Whether a module is compiled for tests only.
+pub fn is_of_tests(module: &ItemMod) -> bool {
+    module.attrs.iter().any(|attribute| {
+        let condition = attribute.parse_args::<Ident>();
+        attribute.path().is_ident("cfg") && condition.is_ok_and(|word| word == "test")
+    })
+}
+
 /// What one file names of others.
 #[derive(Default)]
 struct SourceFile {
@@ -125,11 +133,7 @@ struct SourceFile {
 
 impl<'a> Visit<'a> for SourceFile {
     fn visit_item_mod(&mut self, module: &'a ItemMod) {
-        let is_of_tests = |attribute: &Attribute| {
-            let condition = attribute.parse_args::<Ident>();
-            attribute.path().is_ident("cfg") && condition.is_ok_and(|word| word == "test")
-        };
-        if !module.attrs.iter().any(is_of_tests) {
+        if !is_of_tests(module) {
             visit::visit_item_mod(self, module);
         }
     }

@@ -5,14 +5,14 @@
 //! and in which phrases the word is right after all; a phrase that no text has any more is to be
 //! removed.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
-use syn::visit::{self, Visit};
-use syn::{Attribute, Ident, ItemEnum, ItemMod, ItemStruct, ItemTrait, ItemType, Visibility};
+
+use crate::root;
 
 /// A word or a phrase that is wrong.
 struct Wrong {
@@ -128,10 +128,6 @@ const AFTER_CLAUSE: [&str; 38] = [
     "how", "in", "is", "it", "its", "nor", "of", "on", "one", "or", "so", "than", "that", "the",
     "their", "there", "to", "under", "was", "what", "where", "which", "who", "with", "without",
 ];
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
 
 /// The texts of the repository by their paths from its root. Of the changelog, what is not
 /// released yet.
@@ -453,74 +449,4 @@ fn wrong_words_are_found_in_sentences_and_names() {
     ];
     assert_eq!(sentences(source), expected);
     assert_eq!(without_code("a `tap` b\n```\ntaps\n```"), "a x b\n\n\n");
-}
-
-/// The public types of a crate, and the files that each name is in; tests do not count.
-#[derive(Default)]
-struct PublicTypes {
-    file: String,
-    found: BTreeMap<String, Vec<String>>,
-}
-
-impl PublicTypes {
-    fn add(&mut self, visibility: &Visibility, name: &Ident) {
-        if let Visibility::Public(_) = visibility {
-            let files = self.found.entry(name.to_string()).or_default();
-            files.push(self.file.clone());
-        }
-    }
-}
-
-impl<'a> Visit<'a> for PublicTypes {
-    fn visit_item_mod(&mut self, module: &'a ItemMod) {
-        let is_of_tests = |attribute: &Attribute| {
-            let condition = attribute.parse_args::<Ident>();
-            attribute.path().is_ident("cfg") && condition.is_ok_and(|word| word == "test")
-        };
-        if !module.attrs.iter().any(is_of_tests) {
-            visit::visit_item_mod(self, module);
-        }
-    }
-
-    fn visit_item_struct(&mut self, item: &'a ItemStruct) {
-        self.add(&item.vis, &item.ident);
-    }
-
-    fn visit_item_enum(&mut self, item: &'a ItemEnum) {
-        self.add(&item.vis, &item.ident);
-    }
-
-    fn visit_item_trait(&mut self, item: &'a ItemTrait) {
-        self.add(&item.vis, &item.ident);
-    }
-
-    fn visit_item_type(&mut self, item: &'a ItemType) {
-        self.add(&item.vis, &item.ident);
-    }
-}
-
-/// Two types of one name in a crate are distinguished by their paths alone, which a reader does not see.
-#[test]
-fn no_two_public_types_of_a_crate_have_one_name() {
-    let crates = std::fs::read_dir(root().join("crates")).unwrap();
-    let mut all = Vec::new();
-    for entry in crates {
-        let folder = entry.unwrap().path();
-        let (mut files, mut types) = (Vec::new(), PublicTypes::default());
-        list(&folder.join("src"), &mut files);
-        files.retain(|file| file.extension().is_some_and(|end| end == "rs"));
-        files.sort();
-        for file in &files {
-            types.file = file.strip_prefix(root()).unwrap().display().to_string();
-            let text = std::fs::read_to_string(file).unwrap();
-            types.visit_file(&syn::parse_file(&text).unwrap());
-        }
-        let doubled = types.found.into_iter().filter(|(_, files)| files.len() > 1);
-        all.extend(doubled.map(|(name, files)| format!("{name}: {}", files.join(", "))));
-    }
-    assert!(
-        all.is_empty(),
-        "public types of one name:\n{}",
-        all.join("\n")
-    );
 }

@@ -152,9 +152,8 @@ impl Campaign {
         let rounds = Rounds::new(design, methods);
         (run.earlier)(&|record| rounds.note(record))?;
         let mut has_run = vec![false; self.sweep.design.cases()];
-        while !(run.stops)()
-            && let Some(mut wanted) = rounds.wanted()
-        {
+        let next = || (!(run.stops)()).then(|| rounds.wanted()).flatten();
+        while let Some(mut wanted) = next() {
             wanted.retain(|case| !std::mem::replace(&mut has_run[*case], true));
             let is_open = |case: usize, method: usize| {
                 wanted.binary_search(&case).is_ok() && !(run.is_done)(case, method)

@@ -1,5 +1,43 @@
 //! Cases that are asked for, followed to the end of their time: the row that a run has of each, and
 //! its motion. The command line, Python and the page follow cases by this.
+//!
+//! The motion of a case (`text` as in the example of the crate):
+//!
+//! ```
+//! # let text = r#"
+//! # methods = ["quadrature"]
+//! # [string]
+//! # shear_modulus_gpa = 80
+//! # density_kg_m3 = 7840
+//! # torsional_damping_nms_rad_m = 10
+//! # [[string.sections]]
+//! # name = "pipe"
+//! # repeat = 50
+//! # parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.1 }]
+//! # [bit]
+//! # rock = "sandstone"
+//! # [design]
+//! # kind = "grid"
+//! # [design.axes]
+//! # surface_speed_rpm = { values = [0.4, 60] }
+//! # weight_on_bit_kn = { values = [50] }
+//! # "#;
+//! use campaign::Campaign;
+//! use campaign::engine::RunOptions;
+//! use campaign::follow::{Following, KeptSystems};
+//! use campaign::quantities::Axis;
+//!
+//! let campaign = Campaign::open("my.toml".as_ref(), &[], &|_, _| Ok(text.to_owned()))?;
+//! let set = [(Axis::SurfaceSpeedRpm, 30.0)];
+//! let chosen = campaign.cases(&[1], &set, &[0])?.map_err(|_| "its string is possible")?;
+//! let how = Following { options: RunOptions::default(), memory: None, warn: &|_| {} };
+//! let followed = chosen.follow(&how, &mut KeptSystems::default())?;
+//! let speeds = &followed.simulations[0].trajectory.speeds[0];
+//! // In the end the bit turns at 30 rpm.
+//! let last = speeds.last().ok_or("it was followed")?;
+//! assert!((last / (std::f64::consts::PI * 30.0 / 30.0) - 1.0).abs() < 0.05, "{last}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use anyhow::Result;
 use thiserror::Error;

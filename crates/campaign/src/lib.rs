@@ -25,6 +25,57 @@
 //!
 //! It is the inside of one program in several crates: items follow what the shells need, and
 //! promise nothing to others. The libraries are `linear` and `sim`.
+//!
+//! A sweep from its text to its labels, the text of a file being what
+//! [`read_text`](text_file::read_text) has of it:
+//!
+//! ```
+//! use std::sync::Mutex;
+//!
+//! use campaign::engine::{RunOptions, Shard};
+//! use campaign::memory::Limit;
+//! use campaign::{Campaign, Run};
+//!
+//! let text = r#"
+//! methods = ["quadrature"]
+//! [string]
+//! shear_modulus_gpa = 80
+//! density_kg_m3 = 7840
+//! torsional_damping_nms_rad_m = 1
+//! [[string.sections]]
+//! name = "pipe"
+//! repeat = 50
+//! parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.1 }]
+//! [bit]
+//! rock = "sandstone"
+//! [design]
+//! kind = "grid"
+//! [design.axes]
+//! surface_speed_rpm = { values = [0.2, 60] }
+//! weight_on_bit_kn = { values = [50] }
+//! "#;
+//! let campaign = Campaign::open("my.toml".as_ref(), &[], &|_, _| Ok(text.to_owned()))?;
+//! let survey = campaign.survey()?;
+//! let systems = campaign.build(&survey, RunOptions::default(), &Limit::of(None))?;
+//! let run = Run {
+//!     shard: Shard::WHOLE,
+//!     options: RunOptions::default(),
+//!     is_done: &|_, _| false,
+//!     earlier: &|_| Ok(()),
+//!     expect: &|_| {},
+//!     stops: &|| false,
+//! };
+//! let labels = Mutex::new(vec![String::new(); 2]);
+//! campaign.run(&systems, &run, &|record| {
+//!     let outcome = record.outcome.map_err(|failure| anyhow::anyhow!("{}", failure.text()))?;
+//!     let mut labels = labels.lock().map_err(|_| anyhow::anyhow!("a thread stopped"))?;
+//!     labels[record.case] = outcome.labels().to_string();
+//!     Ok(())
+//! })?;
+//! // Below the limit of Eq. 74, and far above it.
+//! assert_eq!(labels.into_inner()?, ["stick_slip", "smooth"]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod accuracy;
 pub mod allotted;

@@ -1,5 +1,18 @@
 //! Counter-based random numbers: each depends only on (seed, index), not on order, threads or
 //! shards.
+//!
+//! ```
+//! use campaign::random::Stream;
+//!
+//! let mut eighth = Stream::new(1, 8);
+//! let first = eighth.part();
+//! // It is the same after any others, and another for another seed.
+//! for case in 0..8 {
+//!     Stream::new(1, case).part();
+//! }
+//! assert_eq!(Stream::new(1, 8).part(), first);
+//! assert_ne!(Stream::new(2, 8).part(), first);
+//! ```
 
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};

@@ -88,9 +88,7 @@ impl UnstableMethod {
         let remedy = match self.method {
             Method::Hilbert(_) => "take another method or a longer transform",
             Method::FiniteElement(_) => "take another method or a larger gamma",
-            Method::Held | Method::Quadrature | Method::Trapezoidal | Method::DirectIdft(_) => {
-                "take another method"
-            }
+            _ => "take another method",
         };
         let instability = &self.instability;
         match self.of_certificates {

@@ -34,13 +34,36 @@ pub fn read_text(path: &Path, most: u64) -> Result<String> {
     if !metadata.is_file() {
         return refuse("it is a pipe or a device, not a file".to_owned());
     }
-    let mut bytes = Vec::new();
     // What the system says of the size need not be true.
-    let mut file = File::open(path)?.take(most + 1);
-    if metadata.len() > most || file.read_to_end(&mut bytes)? as u64 > most {
-        return refuse(format!("it is larger than {} MiB", most >> 20));
+    if metadata.len() > most {
+        return Err(too_large(most));
+    }
+    read_to_end(File::open(path)?, most)
+}
+
+/// What a sweep file that is read from standard input is called; a command line says `-`.
+pub const STANDARD_INPUT: &str = "<standard input>";
+
+/// Whether that is a sweep file's name.
+pub fn is_standard_input(path: &Path) -> bool {
+    path == Path::new(STANDARD_INPUT)
+}
+
+/// Reads a text of at most a number of bytes to its end.
+///
+/// # Errors
+/// Where it cannot be read, is larger, or is not UTF-8.
+pub fn read_to_end(source: impl Read, most: u64) -> Result<String> {
+    let mut bytes = Vec::new();
+    if source.take(most + 1).read_to_end(&mut bytes)? as u64 > most {
+        return Err(too_large(most));
     }
     text_of(bytes)
+}
+
+fn too_large(most: u64) -> Error {
+    let reason = format!("it is larger than {} MiB", most >> 20);
+    Error::new(ErrorKind::InvalidInput, reason)
 }
 
 /// The message about a file that cannot be read.

@@ -58,6 +58,7 @@ fn check(threads: usize, cores: usize) -> Result<usize, ThreadsError> {
 
 /// Why no run uses this number of threads.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum ThreadsError {
     /// What stands there is no number.
     #[error("it is not a number of threads")]

@@ -1,7 +1,18 @@
 //! Words and numbers for people: plurals, a few digits, lines that fit a terminal.
 //! Files carry every digit instead.
+//!
+//! ```
+//! use campaign::words::{counted, short, site_title};
+//! use campaign::quantities::Units;
+//!
+//! assert_eq!(counted(1, "case"), "1 case");
+//! assert_eq!(counted(4225, "case"), "4225 cases");
+//! assert_eq!(short(672.073_165), "672.1");
+//! assert_eq!(site_title(30.48, Units::Field), "100 ft above the bit");
+//! ```
 
 use crate::quantities::{LENGTH, Units};
+use crate::text_file::STANDARD_INPUT;
 
 /// Lines for people are no wider than this, but for what is to be copied whole.
 pub const WIDTH: usize = 80;
@@ -66,6 +77,15 @@ pub fn shell_word(path: &str) -> String {
         format!("{dash}{path}")
     } else {
         format!("'{dash}{}'", path.replace('\'', r"'\''"))
+    }
+}
+
+/// A sweep file as a shell takes it, and then a command: `-` where it was read from standard input.
+pub fn file_word(file: &str) -> String {
+    if file == STANDARD_INPUT {
+        "-".to_owned()
+    } else {
+        shell_word(file)
     }
 }
 

@@ -86,6 +86,7 @@ impl StickSlipPoint {
 
 /// Why the limit of a map is not known.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum BoundaryError {
     /// A rock has no torque at a weight.
     #[error("{0}")]

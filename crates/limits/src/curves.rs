@@ -26,6 +26,24 @@ const MOST_SITES: usize = 3;
 const SAME: f64 = 1e-6;
 
 /// One limit.
+///
+/// ```
+/// use campaign::quantities::{Axis, Units};
+/// use limits::{Boundary, StickSlipPoint, TorsionLimit};
+///
+/// let point = |(weight, speed): (f64, f64)| StickSlipPoint {
+///     weight_on_bit_kn: Some(weight),
+///     torque_dynamic_nm: 30.0 * weight,
+///     surface_speed_rpm: speed,
+///     method: "quadrature".to_owned(),
+///     limit: TorsionLimit::StickSlip,
+/// };
+/// let boundary = Boundary::StickSlip([(20.0, 0.4), (80.0, 1.6)].map(point).to_vec());
+/// let curves = boundary.curves(&[Axis::WeightOnBitKn, Axis::SurfaceSpeedRpm], Units::Si);
+/// assert_eq!(curves.len(), 1);
+/// assert_eq!((curves[0].along, curves[0].limited), (Axis::WeightOnBitKn, Axis::SurfaceSpeedRpm));
+/// assert_eq!(curves[0].pieces, [[[20.0, 0.4], [80.0, 1.6]]]);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// Its name in a legend.

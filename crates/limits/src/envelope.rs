@@ -1,6 +1,16 @@
 //! The least of several lines at each place of an axis.
 
 /// The least of several lines, each with its own ends.
+///
+/// ```
+/// use limits::Envelope;
+///
+/// let lines = [vec![(10.0, 0.2), (20.0, 0.4)], vec![(15.0, 0.1), (30.0, 0.1)]];
+/// let envelope = Envelope::new(&lines);
+/// assert!((envelope.at(12.5).unwrap_or(f64::NAN) - 0.25).abs() < 1e-12);
+/// assert_eq!((envelope.at(18.0), envelope.at(40.0)), (Some(0.1), None));
+/// assert_eq!(envelope.least(), Some(0.1));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Envelope {
     /// Where any line has a point, in ascending order.

@@ -4,6 +4,43 @@
 //!
 //! [`boundary`] gives the limit of a sweep, and `boundary.csv`; [`Curve`]s are what a map shows of
 //! it. What is solved of the waves is the business of `linear` and `sim`.
+//!
+//! Eq. 74 along the weight on bit (`text` is that of a sweep file as in the example of `campaign`):
+//!
+//! ```
+//! # let text = r#"
+//! # methods = ["quadrature"]
+//! # [string]
+//! # shear_modulus_gpa = 80
+//! # density_kg_m3 = 7840
+//! # torsional_damping_nms_rad_m = 10
+//! # [[string.sections]]
+//! # name = "pipe"
+//! # repeat = 50
+//! # parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.1 }]
+//! # [bit]
+//! # rock = "sandstone"
+//! # [design]
+//! # kind = "grid"
+//! # [design.axes]
+//! # surface_speed_rpm = { values = [0.4, 60] }
+//! # weight_on_bit_kn = { values = [50] }
+//! # "#;
+//! use campaign::Campaign;
+//! use limits::{Boundary, exact_stick_slip_limit};
+//!
+//! let campaign = Campaign::open("my.toml".as_ref(), &[], &|_, _| Ok(text.to_owned()))?;
+//! let sweep = &campaign.sweep;
+//! let Boundary::StickSlip(points) = exact_stick_slip_limit(sweep, [20.0, 80.0])? else {
+//!     return Err("it is of stick-slip".into());
+//! };
+//! // (T_s − T_d) Δ: the limit is proportional to the torque.
+//! let per_torque = |at: usize| points[at].surface_speed_rpm / points[at].torque_dynamic_nm;
+//! let last = points.len() - 1;
+//! assert!(points[last].surface_speed_rpm > points[0].surface_speed_rpm);
+//! assert!((per_torque(last) / per_torque(0) - 1.0).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod boundary;
 mod curves;

@@ -1,4 +1,4 @@
-//! Cost of building responses: `cargo bench -p linear`.
+//! Cost of building responses: `cargo bench -p drillstring-linear`.
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
 use divan::Bencher;

@@ -1,5 +1,5 @@
 //! The user's own string: its stiffness, and the response of its bit to a step of torque, by two
-//! methods. `cargo run --release -p linear --example own_string`
+//! methods. `cargo run --release -p drillstring-linear --example own_string`
 
 use linear::{
     ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube, estimates,

@@ -3,6 +3,25 @@
 //! As many natural frequencies lie below ω as K − ω² M has negative eigenvalues (J. J. Sylvester's
 //! law of inertia); those are counted node by node while finite elements are eliminated from the
 //! surface down.
+//!
+//! A column that is clamped at one end and free at the other buckles under π² E I/(4 L²) (Euler):
+//!
+//! ```
+//! use linear::bending_modes::BendingModes;
+//! use linear::{Bending, Drillstring, Material, Section, SurfaceSupport, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 3, parts: vec![pipe] }], 0.0)?;
+//! let critical = (std::f64::consts::PI / (2.0 * 30.0)).powi(2) * 210e9 * pipe.second_moment();
+//! let buckles_under = |compression: f64| {
+//!     let bending = Bending { youngs_modulus: 210e9, damping: 0.0, compression };
+//!     BendingModes::new(&string, &bending, SurfaceSupport::Clamped).map(|it| it.is_buckled())
+//! };
+//! assert!(!buckles_under(0.999 * critical)?);
+//! assert!(buckles_under(1.001 * critical)?);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};

@@ -6,6 +6,19 @@
 //! sizes are written once, next to the buffers that have them.
 //!
 //! Bytes are floating-point numbers: they do not overflow, however much is asked for.
+//!
+//! ```
+//! use linear::budget::{Budget, What};
+//!
+//! let budget = Budget::new(1e6);
+//! let cases = budget.reserve(8e5, What::Cases)?;
+//! assert_eq!(budget.reserve(5e5, What::Responses).map_err(|it| it.left).err(), Some(2e5));
+//! drop(cases);
+//! assert!(budget.reserve(5e5, What::Responses).is_ok());
+//! // A dry run asks for all that, and takes nothing: this is what it would have needed.
+//! assert_eq!(budget.need().peak, 8e5);
+//! # Ok::<(), linear::budget::OutOfBudget>(())
+//! ```
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -17,6 +30,7 @@ pub(crate) const COMPLEX: f64 = 16.0;
 
 /// What memory is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum What {
     /// Impulse responses, and the spectra that they are made of.
     Responses,

@@ -12,6 +12,24 @@
 //! With the torque f that a port of a piece is met with, its speed v and the piece's reference
 //! impedance Z, the wave a = (f + Z v)/2 goes in and b = (Z v − f)/2 comes out. (A. Fettweis,
 //! "Wave digital filters: theory and practice", *Proceedings of the IEEE* 74, 1986, 270–327.)
+//!
+//! A wave passes a uniform piece whole, and takes the travel time for it:
+//!
+//! ```
+//! use linear::{Cascade, Drillstring, Material, Method, Section, Sites, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 100, parts: vec![pipe] }], 0.0)?;
+//! let nodes = Sites::new(&string, &[400.0, 0.0])?;
+//! let cascade = Cascade::new(&string, &Method::Quadrature, &nodes, 200.0, 10.0)?;
+//! let across = &cascade.links[0].across;
+//! let passed: f64 = across.iter().sum();
+//! let steps: f64 = across.iter().enumerate().map(|(step, tap)| step as f64 * tap).sum();
+//! assert!((passed - 1.0).abs() < 1e-6);
+//! assert!((steps / 200.0 - 400.0 / string.torsional_wave_speed()).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::assembly::lanes::Lanes;
 use crate::assembly::nodes::{Relation, StiffnessBetween as _};
@@ -45,6 +63,7 @@ const FIRST_BEYOND: f64 = 48.0;
 
 /// A string in pieces, ready to be stepped.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Cascade {
     /// The nodes, from the surface down.
     pub nodes: Sites,
@@ -62,6 +81,7 @@ pub struct Cascade {
 
 /// Taps of the string from the surface, or its drive, to the uppermost node.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Top {
     /// Reference impedance Z, N m s/rad.
     pub impedance: f64,
@@ -81,6 +101,7 @@ pub struct Top {
 
 /// Taps of a piece between two nodes.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Link {
     /// Reference impedance Z, N m s/rad.
     pub impedance: f64,
@@ -94,6 +115,7 @@ pub struct Link {
 
 /// Taps of what hangs below the lowest node.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct End {
     /// Reference impedance Z, N m s/rad.
     pub impedance: f64,

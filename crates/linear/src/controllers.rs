@@ -1,4 +1,21 @@
 //! Controllers of a top drive tuned to the string, and the reflection coefficient of a drive.
+//!
+//! ```
+//! use linear::controllers::{impedance_matched, reflection, stiff};
+//! use linear::estimates::first_mode;
+//! use linear::{Drillstring, Material, Section, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.02)?;
+//! let frequency = first_mode(&string).frequency;
+//! // Nearly all of a wave comes back from a stiff drive, with the opposite speed.
+//! let from_stiff = reflection(&string, &stiff(&string, 2000.0), frequency);
+//! assert!((from_stiff + 1.0).norm() < 0.03);
+//! let from_matched = reflection(&string, &impedance_matched(&string), frequency);
+//! assert!(from_matched.norm() < 0.06);
+//! # Ok::<(), linear::DrillstringError>(())
+//! ```
 
 use num_complex::Complex64;
 

@@ -1,5 +1,25 @@
 //! The drillstring as data (Table 2 of the paper): material, sections from the
 //! surface down, damping, bending constants, and how the surface holds it.
+//!
+//! ```
+//! use linear::{Drillstring, DrillstringError, Material, Section, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 9.0, inner_radius: 0.054, outer_radius: 0.0635 };
+//! let joint = Tube { length: 0.5, inner_radius: 0.048, outer_radius: 0.084 };
+//! let collar = Tube { length: 9.5, inner_radius: 0.036, outer_radius: 0.1 };
+//! let drillpipe = Section { repeat: 100, parts: vec![pipe, joint] };
+//! let collars = Section { repeat: 10, parts: vec![collar] };
+//! let string = Drillstring::new(steel, vec![drillpipe, collars], 0.1)?;
+//! assert!((string.length() - 1045.0).abs() < 1e-9);
+//! assert_eq!(string.torsional_wave_speed().round(), 3194.0);
+//!
+//! let inside_out = Tube { inner_radius: 0.07, ..pipe };
+//! let section = Section { repeat: 1, parts: vec![inside_out] };
+//! let refused = Drillstring::new(steel, vec![section], 0.1);
+//! assert!(matches!(refused, Err(DrillstringError::Radii { section: 0, part: 0, .. })));
+//! # Ok::<(), DrillstringError>(())
+//! ```
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 

@@ -7,6 +7,7 @@ use crate::channel::Channel;
 
 /// Why a drillstring or a set of sites is refused.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum DrillstringError {
     /// The string has no section.
     #[error("the string has no section")]
@@ -156,6 +157,7 @@ pub enum DrillstringError {
 /// Why impulse responses are refused: put together by hand or cut up, they are not what
 /// a string gives.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ResponseError {
     /// There is no such sampling frequency.
     #[error("the responses are sampled at {value} Hz, which is not a positive frequency")]
@@ -209,6 +211,7 @@ pub enum ResponseError {
 
 /// Why impulse responses are not built.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum BuildError {
     /// The sites are not places of this string.
     #[error(transparent)]

@@ -1,6 +1,28 @@
 //! What can be said of a string without simulating it: static stiffness,
 //! travel times, the paper's sampling frequency, and the characteristic times
 //! and stability limit of stick-slip (Eqs. 72–75).
+//!
+//! ```
+//! use linear::estimates;
+//! use linear::{Drillstring, Material, Section, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.0)?;
+//! let stiffness = estimates::torsional_stiffness(&string);
+//! assert!((stiffness / (80e9 * pipe.polar_moment() / 1000.0) - 1.0).abs() < 1e-12);
+//!
+//! let speed = 60.0 * std::f64::consts::TAU / 60.0;
+//! let times = estimates::stick_slip_times(&string, speed, 1200.0, 1000.0);
+//! assert!((times.first_slip * speed * stiffness / 1200.0 - 1.0).abs() < 1e-12);
+//! assert!((times.slip - 2.0 * 1000.0 / string.torsional_wave_speed()).abs() < 1e-12);
+//!
+//! // Without damping, a front comes back from the surface as large as it went: Δ = 1/Z.
+//! let undershoot = 1.0 / estimates::torsional_impedance(&string, &pipe);
+//! let limit = estimates::stick_slip_speed_limit(undershoot, 1200.0, 1000.0);
+//! assert_eq!(limit, 200.0 * undershoot);
+//! # Ok::<(), linear::DrillstringError>(())
+//! ```
 
 use num_complex::Complex64;
 
@@ -99,6 +121,7 @@ pub fn torsional_period(string: &Drillstring) -> f64 {
 
 /// How a string swings in its first torsional mode, the surface held and the bit free.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct FirstMode {
     /// Natural frequency ω₁ without damping, rad/s.
     pub frequency: f64,
@@ -302,6 +325,7 @@ const UNDERSHOOT_OF_ROUNDING: f64 = 1e-6;
 
 /// The time scales of stick-slip, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct StickSlipTimes {
     /// τ₁ (Eq. 72): from rest until the torque has wound up to T_s.
     pub first_slip: f64,

@@ -7,6 +7,23 @@
 //! least κ belongs to the largest real Y (Nyquist). Each mode has one near its frequency, and it
 //! need not be the lowest that is largest: vibration at which pipe and tool joints let no wave through
 //! stays in the collars, and the little damping there is what it loses.
+//!
+//! A uniform string without a drive bears a fall of Z tanh(c_t L/2Z), with Z its impedance:
+//!
+//! ```
+//! use linear::estimates::torsional_impedance;
+//! use linear::falling_torque::steepest_fall;
+//! use linear::{Drillstring, Material, Section, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.05, outer_radius: 0.08 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.2)?;
+//! let impedance = torsional_impedance(&string, &pipe);
+//! let expected = impedance * (0.5 * 0.2 * 1000.0 / impedance).tanh();
+//! let found = steepest_fall(&string, 20.0)?.ok_or("the string swings")?;
+//! assert!((found / expected - 1.0).abs() < 0.01);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use num_complex::Complex64;
 

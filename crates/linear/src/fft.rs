@@ -4,6 +4,18 @@
 //!
 //! The sines of a plan take nearly as long as a transform. A thread keeps its last plans, for
 //! strings that change from case to case ask for the same lengths again.
+//!
+//! ```
+//! use linear::fft;
+//!
+//! let plan = fft::forward(8);
+//! let mut samples = vec![1.0; 8];
+//! let mut spectrum = plan.make_output_vec();
+//! plan.process(&mut samples, &mut spectrum)?;
+//! assert_eq!(spectrum[0].re, 8.0);
+//! assert!(spectrum[1..].iter().all(|it| it.norm() < 1e-12));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use std::cell::RefCell;
 use std::collections::VecDeque;

@@ -1,4 +1,16 @@
 //! The methods that turn a drillstring into discrete impulse responses.
+//!
+//! ```
+//! use linear::Method;
+//! use linear::method::FiniteElement;
+//!
+//! let newmark = FiniteElement::default();
+//! assert!((newmark.beta() - 0.25 * (0.5 + 0.52f64).powi(2)).abs() < 1e-15);
+//! assert!(newmark.check().is_ok());
+//! // Below γ/2 a step can be too long to be stable.
+//! assert!(FiniteElement { beta: Some(0.2), ..newmark }.check().is_err());
+//! assert_eq!(Method::FiniteElement(newmark).name(), "finite-element");
+//! ```
 
 use serde::{Deserialize, Serialize};
 
@@ -6,6 +18,7 @@ use crate::error::BuildError;
 
 /// A linear method with its parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Method {
     /// The paper's digital filter (Eqs. 39–40).
     Hilbert(Transform),

@@ -1,6 +1,24 @@
 //! Torsional modes of a string with its surface: how fast each swings, and how fast it dies
 //! away. They are the zeros of the exact string's characteristic function; where to look for
 //! them, a string of a few dozen lumped inertias says.
+//!
+//! Damping c_t along a uniform string lets each mode decay at the rate c_t/(2ρJ):
+//!
+//! ```
+//! use linear::modes::torsional_modes;
+//! use linear::{Drillstring, Material, Section, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.02)?;
+//! let decay_rate = 0.5 * 0.02 / (7840.0 * pipe.polar_moment());
+//! let modes = torsional_modes(&string, 3)?;
+//! assert_eq!(modes.len(), 3);
+//! for mode in modes {
+//!     assert!((-mode.pole.re / decay_rate - 1.0).abs() < 1e-6);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use faer::Mat;
 use num_complex::Complex64;
@@ -13,6 +31,7 @@ use crate::waves::network::TorsionNetwork;
 
 /// A mode that swings.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct TorsionalMode {
     /// The pole s, rad/s: amplitudes go as |e^(st)|, and Im s is its angular frequency.
     pub pole: Complex64,

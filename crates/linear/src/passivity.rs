@@ -14,6 +14,28 @@
 //! count as they are, without the continuing motion of the lower: no string rings there in a
 //! scheme that damps its highest frequencies, and in one that does not a stuck site
 //! chatters.
+//!
+//! The plain inverse transform lets a sticking bit chatter, convolution quadrature does not:
+//!
+//! ```
+//! use linear::method::Transform;
+//! use linear::passivity::STABLE_MARGIN;
+//! use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! let request = Request {
+//!     sites: Sites::bit(),
+//!     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+//!     sampling_frequency: 200.0,
+//!     longest_time: 20.0,
+//! };
+//! let margin = |method: Method| linear::responses(&string, &method, &request)?.torsion_margin();
+//! assert!(margin(Method::Quadrature)? > Some(STABLE_MARGIN));
+//! assert!(margin(Method::DirectIdft(Transform::default()))? < Some(STABLE_MARGIN));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -47,6 +69,7 @@ const END_PART: usize = 4;
 
 /// Where a response is furthest from being positive-real.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct WorstPoint {
     /// The positive-real margin (see [`positive_real_margin`]).
     pub margin: f64,

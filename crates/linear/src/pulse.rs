@@ -1,5 +1,16 @@
 //! The raised cosine of unit area: the band-limited impulse of Section 5.2.2,
 //! and the window through which a step is compared where a jump would be in no method's band.
+//!
+//! ```
+//! use linear::RaisedCosine;
+//!
+//! let pulse = RaisedCosine { duration: 0.02 };
+//! assert_eq!(pulse.at(0.01), 2.0 / 0.02);
+//! assert_eq!((pulse.at(-0.01), pulse.at(0.03)), (0.0, 0.0));
+//! // Half of its unit area by its middle.
+//! assert!((pulse.integral(0.01) - 0.5).abs() < 1e-12);
+//! assert_eq!(pulse.integral(1.0), 1.0);
+//! ```
 
 use std::f64::consts::TAU;
 

@@ -10,6 +10,19 @@
 //!
 //! Neither depends on how the lengths of a string are divided between its parts: see
 //! [`merged`].
+//!
+//! ```
+//! use linear::estimates::torsional_travel_time;
+//! use linear::sampling::{FEWEST_STEPS, frequency_for_fronts};
+//! use linear::{Drillstring, Material, Section, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.02)?;
+//! let steps = frequency_for_fronts(&string)? * torsional_travel_time(&string);
+//! assert!(steps >= FEWEST_STEPS && (steps - steps.round()).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod merged;
 
@@ -39,6 +52,7 @@ pub const SMALL: f64 = 0.5;
 
 /// A number of steps and what it makes of fronts.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Steps {
     /// Steps in the travel time of a wave from the surface to the bit: a whole number, or one a
     /// piece of the lattice.

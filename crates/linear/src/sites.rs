@@ -4,6 +4,19 @@ use crate::drillstring::Drillstring;
 use crate::error::DrillstringError;
 
 /// The places where something acts on the string or its motion is observed, from the surface down.
+///
+/// ```
+/// use linear::{Drillstring, DrillstringError, Material, Section, Sites, Tube};
+///
+/// let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+/// let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.06 };
+/// let string = Drillstring::new(steel, vec![Section { repeat: 100, parts: vec![pipe] }], 0.0)?;
+/// let sites = Sites::new(&string, &[30.0, 0.0])?;
+/// assert_eq!(sites.bit_site(), Some(1));
+/// let refused = Sites::new(&string, &[1200.0]);
+/// assert!(matches!(refused, Err(DrillstringError::SiteOffString { .. })));
+/// # Ok::<(), DrillstringError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sites {
     /// Distances from the bit, m, strictly decreasing.

@@ -52,9 +52,10 @@ impl Drillstring {
             let mut left: f64 = runs.iter().map(Section::length).sum();
             runs.reverse();
             let mut parts = Vec::new();
-            while left > same_place
-                && let Some(stretch) = stretches.peek_mut()
-            {
+            while left > same_place {
+                let Some(stretch) = stretches.peek_mut() else {
+                    break;
+                };
                 let (around, length) = (stretch.around, stretch.length.min(left));
                 let Span { runs } = cut_off_top(&mut runs, length, same_place);
                 parts.push(Surrounded { around, runs });

@@ -6,6 +6,23 @@
 //! much of the flexibility 1/(GJ) as lies above, and the torque grows everywhere at the one
 //! rate −GJ ω′. In steady rotation that rate is zero. Below a top drive with the gains K_p and
 //! K_i the error e of its speed is constant, and K_i e is the rate at which its torque grows.
+//!
+//! ```
+//! use linear::estimates::winding_stiffness;
+//! use linear::steady::{rotation, winding};
+//! use linear::{Drillstring, Material, Section, Sites, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.0)?;
+//! // Without damping the surface bears the torque of the bit, and the bit turns as fast as it.
+//! let turning = rotation(&string, &Sites::bit(), 6.0, 1000.0);
+//! assert_eq!((turning.speeds[0], turning.at_surface.torque), (6.0, 1000.0));
+//! // Where the bit is held, the torque of the surface grows at k_eff Ω.
+//! let held = winding(&string, &Sites::bit(), 6.0, 1000.0);
+//! assert!((held.at_surface.rate / (6.0 * winding_stiffness(&string)) - 1.0).abs() < 1e-9);
+//! # Ok::<(), linear::DrillstringError>(())
+//! ```
 
 use crate::drillstring::Drillstring;
 use crate::estimates::{torsional_resistance, torsional_stiffness, winding_stiffness};

@@ -5,6 +5,33 @@
 //! stepped has the same memory in the state of its nodes: what a step costs depends on the
 //! length of the string, not on the sites, and loads cost where they act alone. It gives what
 //! [`crate::responses()`] give by [`Method::FiniteElement`], up to rounding.
+//!
+//! ```
+//! use linear::method::FiniteElement;
+//! use linear::{Bending, ChannelRequest, Drillstring, Material, Method, Request, Section, Sites};
+//! use linear::{SteppedString, SurfaceSupport, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 10, parts: vec![pipe] }], 0.02)?;
+//! let bending = Bending { youngs_modulus: 210e9, damping: 100.0, compression: 0.0 };
+//! let (support, newmark) = (SurfaceSupport::Pinned, FiniteElement::default());
+//! let stepped = SteppedString::new(&string, &bending, support, &Sites::bit(), &newmark, 200.0)?;
+//! let by_stepping = stepped.responses(&[0], 1.0)?;
+//!
+//! let request = Request {
+//!     sites: Sites::bit(),
+//!     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+//!     sampling_frequency: 200.0,
+//!     longest_time: 1.0,
+//! };
+//! let responses = linear::responses(&string, &Method::FiniteElement(newmark), &request)?;
+//! let [one, other] = [&by_stepping, &responses].map(|it| it.at_bit().unwrap_or_default());
+//! assert!(!one.is_empty() && one.len() <= other.len());
+//! let rounding = 1e-9 * other[0];
+//! assert!(one.iter().zip(other).all(|(one, other)| (one - other).abs() < rounding));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::budget::{Budget, Need, REAL, What};
 use crate::channel::Channel;

@@ -10,6 +10,32 @@ pub struct Mud {
 }
 
 /// A hole full of mud, in which the string moves sideways.
+///
+/// Mud slows a string down: what is inside moves with it, and so does, in a wide hole, as much as
+/// it displaces.
+///
+/// ```
+/// use linear::natural_frequencies::NaturalFrequencies;
+/// use linear::{Bending, Drillstring, Hole, HoleSection, Material, Mud, Section, SurfaceSupport};
+/// use linear::Tube;
+///
+/// let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+/// let pipe = Tube { length: 30.0, inner_radius: 0.05, outer_radius: 0.06 };
+/// let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.0)?;
+/// let hole = Hole {
+///     sections: vec![HoleSection { length: 30.0, radius: 10.0 }],
+///     mud: Mud { density: 1200.0 },
+/// };
+/// let lowest = |string: &Drillstring| {
+///     let bending = Bending { youngs_modulus: 210e9, damping: 0.0, compression: 0.0 };
+///     NaturalFrequencies::bending(string, &bending, SurfaceSupport::Clamped)?.lowest(1)
+/// };
+/// let slower = lowest(&string.clone().in_hole(hole)?)?[0] / lowest(&string)?[0];
+/// let [inner, outer] = [0.05f64, 0.06].map(|radius| radius * radius);
+/// let (steel, mud) = (7840.0 * (outer - inner), 1200.0 * (outer + inner));
+/// assert!((slower / (steel / (steel + mud)).sqrt() - 1.0).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hole {
     /// How wide it is, from the surface down; the last section ends no higher than the string.

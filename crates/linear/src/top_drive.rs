@@ -9,6 +9,16 @@ use crate::error::DrillstringError;
 /// motor turns it with the torque K_p e + K_i ∫ e dt. None of its numbers being negative, it
 /// takes energy and never gives any but for its set speed, so that no string is unstable
 /// under it. Presets are in [`crate::controllers`].
+///
+/// ```
+/// use linear::{Complex64, TopDrive};
+///
+/// let drive = TopDrive { inertia: 2000.0, proportional_gain: 300.0, integral_gain: 80.0 };
+/// // Inertia and integral gain oppose one another: at √(K_i/J) only K_p is left.
+/// let rate = (80.0f64 / 2000.0).sqrt();
+/// let impedance = drive.impedance(Complex64::new(0.0, rate));
+/// assert!((impedance - 300.0).norm() < 1e-10);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TopDrive {
     /// Moment of inertia of what turns with the string's upper end, seen from there (rotor and

@@ -79,6 +79,30 @@ pub struct BandChart {
 }
 
 /// Draws a chart of bands.
+///
+/// Which sites touch the wall when, and how hard.
+///
+/// ```
+/// use plot::{Axis, BandChart, BandPanel, Bar, Look, band_chart};
+///
+/// let bar = |from: f64, to: f64, value: f64, is_full: bool| Bar { from, to, value, is_full };
+/// let panel = BandPanel {
+///     title: "20 rpm".to_owned(),
+///     rows: vec![vec![bar(1.0, 2.0, 3.0, false)], vec![bar(1.5, 5.0, 9.0, true)]],
+/// };
+/// let chart = BandChart {
+///     title: "Contact".to_owned(),
+///     axes: ["Time t (s)", "Site"].map(Axis::linear),
+///     ends: [0.0, 5.0],
+///     rows: vec!["the bit".to_owned(), "10 m above".to_owned()],
+///     unit: "kN".to_owned(),
+///     kinds: ["rolling".to_owned(), "sliding".to_owned()],
+///     notes: Vec::new(),
+///     panels: vec![panel],
+/// };
+/// let svg = band_chart(&Look::default(), &chart).svg();
+/// assert!(svg.contains("10 m above") && svg.contains("sliding"));
+/// ```
 pub fn band_chart(look: &Look, chart: &BandChart) -> Picture {
     let title = Title::new(look, &chart.title, WIDTH, MARGIN);
     let classes = Classes::of(chart);

@@ -59,6 +59,22 @@ impl CampbellPanel {
 
 /// Draws panels one below another, with one title and one legend, in which all natural
 /// frequencies have a name, and crossings one before that of their multiple.
+///
+/// ```
+/// use plot::{Axis, CampbellPanel, Look, Series, campbell};
+///
+/// // The speed in rpm and its multiples in Hz meet the natural frequencies 0.5 and 1.5 Hz.
+/// let crossing = |order: f64| [0.5, 1.5].map(|frequency| (60.0 * frequency / order, frequency));
+/// let panel = CampbellPanel {
+///     title: "Torsion".to_owned(),
+///     axes: ["Surface speed (rpm)", "Frequency (Hz)"].map(Axis::linear),
+///     natural: vec![0.5, 1.5],
+///     orders: vec![Series::new("once a turn", vec![(0.0, 0.0), (120.0, 2.0)])],
+///     crossings: vec![Series::new("once a turn", crossing(1.0).to_vec())],
+/// };
+/// let picture = campbell(&Look::default(), "Resonance", ["natural", "crossing"], &[panel]);
+/// assert!(picture.svg().contains("once a turn"));
+/// ```
 pub fn campbell(
     look: &Look,
     title: &str,

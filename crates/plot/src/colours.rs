@@ -1,6 +1,13 @@
 //! The colours of all pictures. Colour-blind readers can distinguish those of Okabe
 //! and Ito; fills differ in how light they are, so that neither colour vision
 //! nor colour print is needed.
+//!
+//! ```
+//! use plot::colours::{BLUE, ORANGE};
+//!
+//! assert_eq!(BLUE.to_string(), "#0072B2");
+//! assert_ne!(BLUE, ORANGE);
+//! ```
 
 use std::fmt;
 

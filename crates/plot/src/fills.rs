@@ -40,6 +40,13 @@ pub enum Safety {
 }
 
 /// A class of parts of a whole: none of it, each quarter with its upper end, and all.
+///
+/// ```
+/// use plot::Fraction;
+///
+/// let texts = [0.0, 0.1, 0.6, 1.0].map(|part| Fraction::of(part).text());
+/// assert_eq!(texts, ["none", "up to 25 %", "50 to 75 %", "all"]);
+/// ```
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Fraction(usize);
 

@@ -134,6 +134,15 @@ impl Frame {
 
     /// Draws the grid, the border, the ticks and the titles.
     pub fn draw(&self, canvas: &mut Canvas) {
+        self.draw_with(canvas, true)
+    }
+
+    /// The same without the grid, over an area that is filled.
+    pub fn draw_around(&self, canvas: &mut Canvas) {
+        self.draw_with(canvas, false)
+    }
+
+    fn draw_with(&self, canvas: &mut Canvas, has_grid: bool) {
         let Rect {
             left,
             top,
@@ -159,7 +168,10 @@ impl Frame {
             (tick, across, outwards, (number_at, Align::Right))
         });
         let ticks: Vec<_> = upright.chain(level).collect();
-        for (_, across, ..) in ticks.iter().filter(|(tick, ..)| tick.label.is_some()) {
+        let lines = ticks
+            .iter()
+            .filter(|(tick, ..)| has_grid && tick.label.is_some());
+        for (_, across, ..) in lines {
             canvas.line(across, Stroke::solid(GRID, 1.0));
         }
         canvas.outline(self.area, Stroke::solid(BLACK, 1.0));

@@ -37,9 +37,11 @@ mod geometry;
 mod hatching;
 mod legend;
 mod lettering;
+mod levels;
 mod line_styles;
 mod look;
 mod map;
+mod method_styles;
 mod multiples;
 mod names;
 mod numbers;
@@ -63,12 +65,14 @@ pub use cells::{CellPanel, CellWords, ChartCell, Seen, cell_chart};
 pub use fills::{CellFill, Fraction, Safety};
 pub use film::{Film, FilmDot, FilmFrame, FilmWords, film};
 pub use lettering::split_at_indices;
+pub use levels::{LevelPanel, level_chart};
 pub use line_styles::{LineStyle, Series};
 pub use look::{Look, Paper};
 pub use map::{
     Band, MapAxis, MapCell, MapChart, MapGroup, MapPanel, MapPoint, Mark, is_within, map_axes,
     map_chart,
 };
+pub use method_styles::method_style;
 pub use multiples::{Multiple, multiples};
 pub use orbits::{Orbit, orbits};
 pub use panels::{Panel, Wall, panels};

@@ -40,7 +40,7 @@ impl LineStyle {
     }
 
     /// The colour, if it is given.
-    pub(crate) fn colour(self) -> Option<Colour> {
+    pub fn colour(self) -> Option<Colour> {
         self.colour
     }
 }

@@ -16,6 +16,15 @@ const NARROW: f64 = 640.0;
 const WIDTHS: [f64; 2] = [260.0, 2400.0];
 
 /// The size of a picture on paper.
+///
+/// ```
+/// use plot::Paper;
+///
+/// assert!(Paper::new(90.0, 8.0).is_ok());
+/// // Numbers of 8 points have no room in 20 mm.
+/// let [least, _] = Paper::new(20.0, 8.0).expect_err("too narrow");
+/// assert!(Paper::new(least + 0.1, 8.0).is_ok());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Paper {
     /// Its width, mm.

@@ -32,6 +32,21 @@ pub struct Multiple {
 
 /// Draws panels with the same vertical axis in a grid, row by row, each over its own range of the
 /// horizontal one and with a line where the vertical one is zero.
+///
+/// ```
+/// use plot::{Axis, Look, Multiple, multiples};
+///
+/// let shape = |mode: u32| Multiple {
+///     title: format!("mode {mode}"),
+///     points: (0..=50)
+///         .map(|place| 0.02 * f64::from(place))
+///         .map(|depth| (depth, (f64::from(2 * mode - 1) * 1.5708 * depth).sin()))
+///         .collect(),
+/// };
+/// let axes = ["Depth over length", "Rotation"].map(Axis::linear);
+/// let picture = multiples(&Look::default(), "Mode shapes", &axes, &[1, 2, 3].map(shape));
+/// assert!(picture.svg().contains("mode 3"));
+/// ```
 pub fn multiples(look: &Look, title: &str, axes: &[Axis; 2], panels: &[Multiple]) -> Picture {
     let title = Title::new(look, title, WIDTH, MARGIN);
     let columns = ((title.width / LEAST_WIDTH) as usize).clamp(1, COLUMNS);

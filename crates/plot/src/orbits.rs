@@ -1,5 +1,5 @@
-//! Orbits: curves in a plane with the same scale both ways, side by side, each
-//! with the circles it may not leave where it comes near those.
+//! Orbits: curves in a plane, side by side, each with the circles it may not leave where it comes
+//! near those. Paths across a hole have the same scale both ways, those in a plane of phases not.
 
 use super::canvas::{Canvas, Title, draw_titled};
 use super::colours::{BLACK, BOUND, Colour};
@@ -37,10 +37,12 @@ const ARROW: f64 = 11.0;
 const ARROWS: usize = 3;
 const MOST_APART: f64 = 260.0;
 
-/// One orbit, seen along the axis it goes around.
+/// One orbit, seen along the axis it goes around, or in a plane of phases.
 pub struct Orbit {
-    /// Horizontal and vertical axis, in the same unit.
+    /// Horizontal and vertical axis.
     pub axes: [Axis; 2],
+    /// Whether both have the same unit, and so one scale around the origin.
+    pub has_one_scale: bool,
     /// Curves.
     pub series: Vec<Series>,
     /// Radii of dashed circles around the origin.
@@ -51,6 +53,24 @@ pub struct Orbit {
 
 /// Draws orbits side by side, in rows where the picture has no room for all, with one title and
 /// one legend, which says what circles and marked ends are.
+///
+/// A centre that goes round along the wall of its hole.
+///
+/// ```
+/// use plot::{Axis, Look, Orbit, Series, orbits};
+///
+/// let angles = (0..100).map(|index| 0.1 * f64::from(index));
+/// let path = angles.map(|angle| (20.0 * angle.cos(), 20.0 * angle.sin()));
+/// let orbit = Orbit {
+///     axes: ["x (mm)", "y (mm)"].map(Axis::linear),
+///     series: vec![Series::new("the bit", path.collect())],
+///     circles: vec![20.0],
+///     last: vec![10],
+///     has_one_scale: true,
+/// };
+/// let picture = orbits(&Look::default(), "Whirl", ["clearance", "the end"], &[orbit]);
+/// assert!(picture.svg().contains("clearance"));
+/// ```
 pub fn orbits(
     look: &Look,
     title: &str,
@@ -121,9 +141,7 @@ fn draw_orbit(
     outer: Rect,
     (styles, strokes): (&[(&str, LineStyle)], &[Stroke]),
 ) {
-    let reach = reach(orbit);
-    let scale = Scale::new(false, [-reach, reach].into_iter());
-    let mut frame = Frame::new(outer, &orbit.axes, [scale; 2]);
+    let mut frame = Frame::new(outer, &orbit.axes, scales(orbit));
     let side = frame.area.width().min(frame.area.height());
     frame.area.right = frame.area.left + side;
     frame.area.top = frame.area.bottom - side;
@@ -208,6 +226,18 @@ fn draw_arrows(canvas: &mut Canvas, path: &[Pixel], colour: Colour) {
     }
 }
 
+fn scales(orbit: &Orbit) -> [Scale; 2] {
+    if orbit.has_one_scale {
+        let reach = reach(orbit);
+        return [Scale::new(false, [-reach, reach].into_iter()); 2];
+    }
+    let points = || orbit.series.iter().flat_map(|series| &series.points);
+    [
+        Scale::new(false, points().map(|point| point.0)),
+        Scale::new(false, points().map(|point| point.1)),
+    ]
+}
+
 /// The furthest that anything drawn is from the origin, along either axis.
 fn reach(orbit: &Orbit) -> f64 {
     let points = orbit.series.iter().flat_map(|series| &series.points);
@@ -235,6 +265,7 @@ mod tests {
     fn an_orbit_has_one_scale_both_ways_and_its_labels_inside() {
         let orbit = || Orbit {
             axes: ["x (mm)", "y (mm)"].map(Axis::linear),
+            has_one_scale: true,
             series: vec![Series {
                 name: "a".to_owned(),
                 style: LineStyle::default(),

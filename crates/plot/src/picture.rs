@@ -16,6 +16,27 @@ const PER_INCH: f64 = 600.0;
 const MM_PER_INCH: f64 = 25.4;
 
 /// A finished plot.
+///
+/// The same picture as SVG, PNG and PDF:
+///
+/// ```
+/// use plot::{Axis, Look, Paper, Panel, Series, panels};
+///
+/// let panel = Panel {
+///     axes: ["Time t (s)", "Speed (rpm)"].map(Axis::linear),
+///     series: vec![Series::new("the bit", vec![(0.0, 0.0), (1.0, 60.0)])],
+///     references: Vec::new(),
+///     walls: Vec::new(),
+///     is_difference: false,
+/// };
+/// let paper = Paper::new(90.0, 8.0).map_err(|[least, _]| format!("at least {least} mm"))?;
+/// let look = Look { paper: Some(paper), ..Look::default() };
+/// let picture = panels(&look, "A start", &[panel]);
+/// assert!(picture.svg().starts_with("<svg"));
+/// assert!(picture.png()?.starts_with(b"\x89PNG"));
+/// assert!(picture.pdf()?.starts_with(b"%PDF"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, PartialEq)]
 pub struct Picture {
     drawing: Drawing,
@@ -23,6 +44,7 @@ pub struct Picture {
 
 /// Why a picture cannot become a file.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum PictureError {
     /// It has more pixels than an image may have, or none.
     #[error("the plot of {0} by {1} pixels cannot become a PNG")]

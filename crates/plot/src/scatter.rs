@@ -46,6 +46,21 @@ pub struct ScatterPanel {
 
 /// Draws panels in a grid, row by row, with one title, and one legend in a row below,
 /// which also says what fronts, floors and rims are.
+///
+/// ```
+/// use plot::{Axis, ScatterPanel, Series, scatter_grid};
+///
+/// let panel = ScatterPanel {
+///     title: "torsion".to_owned(),
+///     axes: ["Time for a case (s)", "Error"].map(Axis::logarithmic),
+///     kinds: vec![Series::new("quadrature", vec![(0.01, 0.1), (0.1, 0.01), (0.2, 0.05)])],
+///     front: vec![(0.01, 0.1), (0.1, 0.01)],
+///     rims: vec![(0.1, 0.01)],
+///     floor: Some(1e-3),
+/// };
+/// let picture = scatter_grid("What accuracy costs", ["best", "rounding", "chosen"], &[panel]);
+/// assert!(picture.svg().contains("quadrature"));
+/// ```
 pub fn scatter_grid(
     title: &str,
     [front, floor, rim]: [&str; 3],

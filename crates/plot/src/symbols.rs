@@ -43,6 +43,57 @@ impl Symbol {
         Symbol::FilledDiamond,
     ];
 
+    /// That of a case of which some of the methods find sustained vibration, and some that the start
+    /// decides: as in the paper a circle where every method finds it, a cross where none does, a
+    /// square where they differ; a diamond where by every method the start decides.
+    pub fn of_methods([sustained, bistable]: [usize; 2], methods: usize) -> Self {
+        match bistable {
+            0 if sustained == methods => Symbol::Circle,
+            0 if sustained == 0 => Symbol::Cross,
+            _ if bistable == methods => Symbol::Diamond,
+            _ => Symbol::Square,
+        }
+    }
+
+    /// What symbols mean of a motion with a sustained regime and one that is not, `by_all` methods.
+    pub fn meanings([regime, none]: [&str; 2], by_all: &str) -> [(Symbol, String); 4] {
+        let comma = if by_all.is_empty() { "" } else { "," };
+        [
+            (Symbol::Circle, format!("{regime}{by_all}")),
+            (
+                Symbol::Diamond,
+                format!("{regime} or {none}, depending on the start{comma}{by_all}"),
+            ),
+            (Symbol::Cross, format!("{none}{by_all}")),
+            (Symbol::Square, "methods differ".to_owned()),
+        ]
+    }
+
+    /// The same where certainty is known for each case.
+    pub fn by_certainty(meanings: [(Symbol, String); 4]) -> Vec<(Symbol, String)> {
+        let of_symbol = |(symbol, meaning): (Symbol, String)| {
+            let certain = symbol.filled();
+            if certain == symbol {
+                return vec![(symbol, meaning)];
+            }
+            vec![
+                (certain, format!("{meaning}, certain")),
+                (symbol, format!("{meaning}, not certain")),
+            ]
+        };
+        meanings.into_iter().flat_map(of_symbol).collect()
+    }
+
+    /// Its colour.
+    pub fn colour(self) -> Colour {
+        match self {
+            Symbol::Circle | Symbol::Disc => BLUE,
+            Symbol::Cross | Symbol::HeavyCross => GREY,
+            Symbol::Square => ORANGE,
+            Symbol::Diamond | Symbol::FilledDiamond => PLUM,
+        }
+    }
+
     /// The same filled, or heavy; a square stays as it is.
     pub fn filled(self) -> Self {
         match self {
@@ -56,17 +107,18 @@ impl Symbol {
 
 /// Draws one symbol as one SVG element.
 pub(crate) fn draw_symbol(canvas: &mut Canvas, symbol: Symbol, (x, y): Pixel, r: f64) {
+    let colour = symbol.colour();
     match symbol {
-        Symbol::Circle => canvas.ring((x, y), r, Stroke::solid(BLUE, 0.28 * r)),
-        Symbol::Cross => draw_cross(canvas, (x, y), 0.85 * r, Stroke::solid(GREY, 0.26 * r)),
+        Symbol::Circle => canvas.ring((x, y), r, Stroke::solid(colour, 0.28 * r)),
+        Symbol::Cross => draw_cross(canvas, (x, y), 0.85 * r, Stroke::solid(colour, 0.26 * r)),
         Symbol::Square => {
             let (a, b, c, d) = (x - r, x + r, y - r, y + r);
             // Starting within a side leaves no notch at a corner.
             let path = [(x, c), (b, c), (b, d), (a, d), (a, c), (x, c)];
-            canvas.line(&path, Stroke::solid(ORANGE, 0.42 * r))
+            canvas.line(&path, Stroke::solid(colour, 0.42 * r))
         }
-        Symbol::Disc => canvas.disc((x, y), 1.1 * r, BLUE),
-        Symbol::HeavyCross => draw_cross(canvas, (x, y), 0.85 * r, Stroke::solid(GREY, 0.6 * r)),
+        Symbol::Disc => canvas.disc((x, y), 1.1 * r, colour),
+        Symbol::HeavyCross => draw_cross(canvas, (x, y), 0.85 * r, Stroke::solid(colour, 0.6 * r)),
         Symbol::Diamond => {
             let far = 1.25 * r;
             let (half, corners) = (0.5 * far, diamond((x, y), far));
@@ -74,9 +126,9 @@ pub(crate) fn draw_symbol(canvas: &mut Canvas, symbol: Symbol, (x, y): Pixel, r:
             // Starting within a side leaves no notch at a corner.
             let start = (x + half, y - half);
             let path = [start, right, bottom, left, top, start];
-            canvas.line(&path, Stroke::solid(PLUM, 0.3 * r))
+            canvas.line(&path, Stroke::solid(colour, 0.3 * r))
         }
-        Symbol::FilledDiamond => canvas.polygon(&diamond((x, y), 1.4 * r), PLUM),
+        Symbol::FilledDiamond => canvas.polygon(&diamond((x, y), 1.4 * r), colour),
     }
 }
 

@@ -18,7 +18,7 @@ use crate::table::{by_name, table_of};
 use crate::wait::wait_for;
 
 /// The tables of folders.
-fn open(py: Python<'_>, folders: &[PathBuf]) -> PyResult<Vec<ResultTables>> {
+pub fn open(py: Python<'_>, folders: &[PathBuf]) -> PyResult<Vec<ResultTables>> {
     if folders.is_empty() {
         return Err(refused("name at least one results folder"));
     }

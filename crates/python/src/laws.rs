@@ -51,10 +51,10 @@ impl<'py> Interruption<'py> {
     fn look(&self) {
         let asked = self.asked.get() + 1;
         self.asked.set(asked % BETWEEN_LOOKS);
-        if asked == BETWEEN_LOOKS
-            && let Err(error) = self.py.check_signals()
-        {
-            self.raised.replace(Some(error));
+        if asked == BETWEEN_LOOKS {
+            if let Err(error) = self.py.check_signals() {
+                self.raised.replace(Some(error));
+            }
         }
     }
 

@@ -2,18 +2,17 @@
 
 use std::sync::Arc;
 
-use anyhow::Result;
 use campaign::memory::Limit;
-use campaign::plan::Sweep as Plan;
 use campaign::run::RunSystems;
-use limits::{boundary, boundary_csv, whirl_boundary};
+use limits::{Boundary, ForwardContact, boundary, boundary_csv, whirl_boundary};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::about::curves;
 use crate::errors::refused;
 use crate::read::ReadSweep;
 use crate::run::not_begun;
-use crate::table::{Column, by_name};
+use crate::table::{Column, Columns, by_name};
 use crate::wait::wait_for;
 
 /// The limits of a sweep, by column.
@@ -25,6 +24,29 @@ pub fn limits<'py>(
     sweep: &ReadSweep,
     memory: Limit,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let boundary = boundary_of(py, sweep, memory)?;
+    by_name(py, columns_of(&boundary_csv(&boundary)))
+}
+
+/// The same as curves that a map shows.
+///
+/// # Errors
+/// As of [`limits`].
+pub fn limit_curves<'py>(
+    py: Python<'py>,
+    sweep: &ReadSweep,
+    memory: Limit,
+) -> PyResult<Vec<Bound<'py, PyDict>>> {
+    let plan = &sweep.campaign.sweep;
+    let units = plan.content.units;
+    let boundary = boundary_of(py, sweep, memory)?;
+    let mut all = boundary.curves(plan.design.axes(), units);
+    let forward = ForwardContact::of(plan).map_err(|error| sweep.about_file(error))?;
+    all.extend(forward.and_then(|forward| forward.curve(units)));
+    curves(py, all)
+}
+
+fn boundary_of(py: Python<'_>, sweep: &ReadSweep, memory: Limit) -> PyResult<Boundary> {
     let survey = sweep.look(py)?;
     let campaign = Arc::clone(&sweep.campaign);
     let systems = {
@@ -34,9 +56,8 @@ pub fn limits<'py>(
         })?
         .map_err(|error| not_begun(py, sweep, error))?
     };
-    let text = wait_for(py, move || text_of(&campaign.sweep, &systems))?;
-    let text = text.map_err(|error| sweep.about_file(format_args!("{error:#}")))?;
-    by_name(py, columns_of(&text))
+    let found = wait_for(py, move || boundary(&campaign.sweep, &systems.methods))?;
+    found.map_err(|error| sweep.about_file(error))
 }
 
 /// The limit of whirl between two surface speeds (rpm) of the string as the file has it, by the same
@@ -65,12 +86,8 @@ pub fn whirl_limits<'py>(
     )
 }
 
-fn text_of(plan: &Plan, systems: &RunSystems) -> Result<String> {
-    Ok(boundary_csv(&boundary(plan, &systems.methods)?))
-}
-
 /// The columns of a table without quotes: numbers, where a column has no words.
-fn columns_of(text: &str) -> Vec<(String, Column)> {
+pub fn columns_of(text: &str) -> Columns {
     let mut lines = text.lines();
     let names = lines.next().unwrap_or_default().split(',');
     let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();

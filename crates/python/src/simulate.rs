@@ -37,6 +37,17 @@ pub struct Simulation {
 
 #[pymethods]
 impl Simulation {
+    /// Draws its motion over time as `sweep simulate` does, a panel below the other, and gives their
+    /// axes; on those of another method of the same case, where they are given. Needs matplotlib.
+    #[pyo3(signature = (*, axes = None))]
+    fn plot<'py>(
+        this: &Bound<'py, Self>,
+        axes: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let module = this.py().import("drillstring._plot")?;
+        module.call_method1("draw_history", (this, axes))
+    }
+
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let row = self.row.bind(py);
         let word = |column| {

@@ -10,9 +10,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use results::window::WindowAsked;
 
+use crate::about::about_sweep;
 use crate::errors::{Lines, refused};
 use crate::folders::{own_folder, window};
-use crate::limits::{limits, whirl_limits};
+use crate::limits::{limit_curves, limits, whirl_limits};
 use crate::read::{ReadSweep, Texts};
 use crate::responses::Responses;
 use crate::run::run;
@@ -240,6 +241,21 @@ impl Sweep {
     #[pyo3(signature = (*, memory = None))]
     fn _limits<'py>(&self, py: Python<'py>, memory: Option<&str>) -> PyResult<Bound<'py, PyDict>> {
         limits(py, &self.0, limit_of(memory)?)
+    }
+
+    /// The same as curves.
+    #[pyo3(signature = (*, memory = None))]
+    fn _limit_curves<'py>(
+        &self,
+        py: Python<'py>,
+        memory: Option<&str>,
+    ) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        limit_curves(py, &self.0, limit_of(memory)?)
+    }
+
+    /// What a table of its run is of.
+    fn _about<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        about_sweep(py, &self.0.campaign.sweep)
     }
 
     /// The limit of whirl between two surface speeds (rpm), by the columns of `boundary.csv`.

@@ -22,8 +22,11 @@ pub enum Column {
     Flag(Vec<Option<bool>>),
 }
 
+/// Columns by name, in their order.
+pub type Columns = Vec<(String, Column)>;
+
 /// The columns of rows in their order.
-pub fn columns(table: &LabelTable, records: &[Record]) -> Vec<(String, Column)> {
+pub fn columns(table: &LabelTable, records: &[Record]) -> Columns {
     let mut columns: Vec<(String, Column)> = (table.columns().into_iter())
         .map(|(name, kind)| (name, Column::with_capacity(kind, records.len())))
         .collect();
@@ -49,6 +52,24 @@ pub fn table_of<'a, const COLUMNS: usize>(
         }
     }
     table
+}
+
+/// The columns of a table that is read row by row.
+///
+/// # Errors
+/// Where a row cannot be read.
+pub fn typed_columns(
+    columns: &[(String, Kind)],
+    rows: impl Iterator<Item = anyhow::Result<Vec<Field<'static>>>>,
+) -> anyhow::Result<Columns> {
+    let column = |(name, kind): &(String, Kind)| (name.clone(), Column::with_capacity(*kind, 0));
+    let mut table: Columns = columns.iter().map(column).collect();
+    for row in rows {
+        for ((_, column), field) in table.iter_mut().zip(row?) {
+            column.push(field);
+        }
+    }
+    Ok(table)
 }
 
 /// Columns as arrays by name.

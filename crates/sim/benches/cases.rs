@@ -1,4 +1,4 @@
-//! Cost of whole cases and of the sum over the past: `cargo bench -p sim`.
+//! Cost of whole cases and of the sum over the past: `cargo bench -p drillstring-sim`.
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
 use divan::{Bencher, black_box};

@@ -1,4 +1,4 @@
-//! Cost of one contact solve: `cargo bench -p sim`.
+//! Cost of one contact solve: `cargo bench -p drillstring-sim`.
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
 use divan::{Bencher, black_box};

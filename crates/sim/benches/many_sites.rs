@@ -1,4 +1,4 @@
-//! What sites and contacts cost: `cargo bench -p sim --bench many_sites`. Ten seconds of the
+//! What sites and contacts cost: `cargo bench -p drillstring-sim --bench many_sites`. Ten seconds of the
 //! paper's string, one thread.
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
@@ -32,7 +32,7 @@ fn scene(sites: usize, touching: usize) -> Scene {
     };
     // From the bit up, and not side by side: neighbours would push one another inwards.
     let between = sites / touching;
-    let touches = |site: usize| (site + 1).is_multiple_of(between) && site / between < touching;
+    let touches = |site: usize| (site + 1) % between == 0 && site / between < touching;
     let mass = |site| EccentricMass {
         site,
         mass: 1000.0,

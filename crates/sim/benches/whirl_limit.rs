@@ -1,4 +1,4 @@
-//! What the limits of whirl of many sites cost: `cargo bench -p sim --bench whirl_limit`. The paper's
+//! What the limits of whirl of many sites cost: `cargo bench -p drillstring-sim --bench whirl_limit`. The paper's
 //! string, sites a metre apart from the bit up, one thread.
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 

@@ -1,5 +1,5 @@
 //! A user-defined contact law: a bit with dry and viscous friction.
-//! `cargo run --release -p sim --example own_contact_law`
+//! `cargo run --release -p drillstring-sim --example own_contact_law`
 
 use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
 use sim::{LoadLine, Scene, Stepper, System, Timing, Wall};

@@ -1,6 +1,6 @@
 //! The regimes of a user-defined friction law: torque against speed, with a valley between dry
 //! friction that falls and viscous friction that rises.
-//! `cargo run --release -p sim --example own_regimes`
+//! `cargo run --release -p drillstring-sim --example own_regimes`
 
 use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
 use sim::{Scene, Simulator, Start, Stopping, TabulatedFriction, Timing, Wall};

@@ -1,5 +1,5 @@
 //! A user-defined wall: rubber, a linear spring with a damper and no friction, around a
-//! site that an impulse sends against it. `cargo run --release -p sim --example own_wall`
+//! site that an impulse sends against it. `cargo run --release -p drillstring-sim --example own_wall`
 
 use linear::{
     Bending, ChannelRequest, Drillstring, Material, Method, Request, Section, Sites,

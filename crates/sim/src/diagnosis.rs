@@ -1,9 +1,39 @@
 //! What time histories show of the linear method behind them: chatter, growth,
 //! drift. Where a bit is held fast, or whirl is steady, the motion is known, and
 //! what differs from it is the method's doing.
+//!
+//! How the string of the crate's example feels a bit that is held fast:
+//!
+//! ```
+//! # use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
+//! # let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! # let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! # let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! # let request = Request {
+//! #     sites: Sites::bit(),
+//! #     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+//! #     sampling_frequency: 640.0,
+//! #     longest_time: 20.0,
+//! # };
+//! # let responses = linear::responses(&string, &Method::Quadrature, &request)?;
+//! use sim::Simulator;
+//! use sim::diagnosis::{roughness, sticking};
+//!
+//! let alternating: Vec<f64> = (0..100).map(|step| 3.0 * f64::from(1 - step % 2 * 2)).collect();
+//! assert_eq!(roughness(&alternating), 4.0 * 3.0);
+//!
+//! let simulator = Simulator::new(&responses)?;
+//! let held = simulator.stuck_torque().ok_or("the bit alone is acted on")?;
+//! let stiffness = linear::estimates::torsional_stiffness(&string);
+//! let instant = responses.at_bit().unwrap_or_default()[0];
+//! let found = sticking(held, 640.0, stiffness, instant);
+//! assert!(found.chatter < 1e-6 && found.drift.abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 /// How a bit that is held fast while the surface turns feels the string.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Sticking {
     /// [`roughness`] of the held torque over the last quarter of the time, in
     /// units of the torque that would set the bit turning with the surface at

@@ -8,6 +8,7 @@ use crate::ranges::SceneError;
 
 /// A case that gives no answer. Sites are counted from the surface down, from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SimulationError {
     /// The motion stopped being a number.
     #[error("the motion of site {site} is not finite from {time:.6} s on")]

@@ -1,5 +1,20 @@
 //! What disturbs the string laterally: an impulse (Section 5.2.2) and the
 //! forces of eccentric masses (Section 5.2.3).
+//!
+//! ```
+//! use sim::{EccentricMass, Impulse};
+//!
+//! let impulse = Impulse { site: 0, amount: 50.0, start: 1.0, duration: 0.02, direction: 0.0 };
+//! let step = 1e-5;
+//! let times = (0..3000).map(|index| 1.0 + step * f64::from(index));
+//! let momentum: f64 = times.map(|time| step * impulse.force(time)[0]).sum();
+//! assert!((momentum - 50.0).abs() < 1e-6);
+//!
+//! // m_e d Ω² in the middle of the hole, along the x axis.
+//! let mass = EccentricMass { site: 0, mass: 10.0, offset: 0.01 };
+//! let [along, across] = mass.force(0.0, 0.0, 12.0);
+//! assert!((along - 14.4).abs() < 1e-12 && across == 0.0);
+//! ```
 
 use linear::RaisedCosine;
 

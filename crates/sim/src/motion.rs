@@ -51,6 +51,17 @@ impl Motion {
 
 /// A value for each motion, `values[motion]`. Of optional values, files hold those that are
 /// there, by the word of their motion.
+///
+/// ```
+/// use sim::{Motion, PerMotion};
+///
+/// let cases = PerMotion::from_fn(|motion| match motion {
+///     Motion::Torsion => 120,
+///     _ => 80,
+/// });
+/// assert_eq!((cases[Motion::Torsion], cases[Motion::Lateral]), (120, 80));
+/// assert_eq!(cases.iter().map(|(_, cases)| cases).sum::<i32>(), 200);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct PerMotion<T>([T; Motion::ALL.len()]);
 

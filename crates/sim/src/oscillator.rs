@@ -6,6 +6,34 @@
 //! tuned to a frequency at which the real part of the response is negative. So
 //! it shows in time what the positive-real margin ([`linear::passivity`]) says
 //! of all frequencies: not every scene finds that load, but some load there is.
+//!
+//! The plain inverse transform gives energy to such a load, convolution quadrature takes it:
+//!
+//! ```
+//! # use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
+//! # let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! # let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! # let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! # let request = Request {
+//! #     sites: Sites::bit(),
+//! #     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+//! #     sampling_frequency: 640.0,
+//! #     longest_time: 20.0,
+//! # };
+//! # let request = Request { sampling_frequency: 50.0, longest_time: 5.0, ..request };
+//! use linear::method::Transform;
+//! use sim::oscillator::worst_load_gain;
+//!
+//! let gain = |method: Method| -> Result<f64, Box<dyn std::error::Error>> {
+//!     let responses = linear::responses(&string, &method, &request)?;
+//!     let torsion = responses.torsion().ok_or("torsion was asked for")?;
+//!     Ok(worst_load_gain(&torsion.driving_points())?)
+//! };
+//! let rounding = -linear::passivity::STABLE_MARGIN;
+//! assert!(gain(Method::Quadrature)? < rounding);
+//! assert!(gain(Method::DirectIdft(Transform::default()))? > rounding);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use linear::passivity::{Ending, worst_point};
 use linear::{BuildError, ResponseError};

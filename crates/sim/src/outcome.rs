@@ -13,6 +13,7 @@ use crate::words::with_words;
 
 /// What a simulation may leave out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Stopping {
     /// Nothing: every step to the end of the time.
     Full,
@@ -25,6 +26,7 @@ pub enum Stopping {
 
 with_words! {
     /// Why a simulation ended.
+    #[non_exhaustive]
     pub enum Ended {
         /// At the end of its time.
         End = "end",
@@ -66,6 +68,7 @@ impl Measures {
 
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Outcome {
     /// Time stepped, s.
     pub simulated: f64,

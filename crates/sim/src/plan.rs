@@ -1,5 +1,32 @@
 //! A simulator before it is prepared: what all cases share of it, and what a case takes while it
 //! is stepped. Both are asked for before they are taken ([`linear::budget`]).
+//!
+//! Of `responses` as in the example of the crate:
+//!
+//! ```
+//! # use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
+//! # let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! # let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! # let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! # let request = Request {
+//! #     sites: Sites::bit(),
+//! #     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+//! #     sampling_frequency: 640.0,
+//! #     longest_time: 20.0,
+//! # };
+//! # let responses = linear::responses(&string, &Method::Quadrature, &request)?;
+//! use linear::Budget;
+//! use sim::SimulatorPlan;
+//!
+//! let plan = SimulatorPlan::of_responses(&responses);
+//! let budget = Budget::unlimited();
+//! plan.ask(&budget)?;
+//! // The taps themselves, cut into blocks and transformed, are most of it.
+//! let of_taps = 8.0 * responses.at_bit().unwrap_or_default().len() as f64;
+//! assert!(budget.need().peak > of_taps);
+//! assert!(plan.ask(&Budget::new(0.5 * budget.need().peak)).is_err());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use linear::budget::{Budget, Need, OutOfBudget, REAL, What};
 use linear::{ChannelResponses, Responses, SteppedPlan};

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Why a scene is refused.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SceneError {
     /// A number is out of its range.
     #[error("the {quantity} is {value}, but must be {expected}")]

@@ -6,6 +6,16 @@ use thiserror::Error;
 
 /// Values at growing times, straight between them; before the first it is the first, after
 /// the last the last.
+///
+/// ```
+/// use sim::{Recording, RecordingError};
+///
+/// let speed = Recording::new(vec![0.0, 2.0, 4.0], vec![0.0, 60.0, 80.0])?;
+/// assert_eq!([speed.at(1.0), speed.at(3.0), speed.at(9.0)], [30.0, 70.0, 80.0]);
+/// let refused = Recording::new(vec![0.0, 2.0, 1.0], vec![0.0, 60.0, 80.0]);
+/// assert!(matches!(refused, Err(RecordingError::RunsBack { sample: 2, .. })));
+/// # Ok::<(), RecordingError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording(Arc<Samples>);
 
@@ -18,6 +28,7 @@ struct Samples {
 
 /// Why samples are no recording.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum RecordingError {
     /// There is none, or not one value for each time.
     #[error("a recording has a value at each of at least two times")]

@@ -1,4 +1,34 @@
 //! What one case contains.
+//!
+//! What no law of the bit can be is refused before a step is made:
+//!
+//! ```
+//! # use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
+//! # let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! # let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! # let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! # let request = Request {
+//! #     sites: Sites::bit(),
+//! #     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+//! #     sampling_frequency: 640.0,
+//! #     longest_time: 20.0,
+//! # };
+//! # let responses = linear::responses(&string, &Method::Quadrature, &request)?;
+//! use sim::{BitTorque, Scene, SceneError, SimulationError, Start, Stepper, System, Timing};
+//!
+//! let scene: Scene = Scene {
+//!     surface_speed: 6.0,
+//!     start: Start::Rest,
+//!     bit: Some(BitTorque { torque_static: 900.0, torque_dynamic: 1000.0, decay_speed: 0.0 }),
+//!     friction: Vec::new(),
+//!     lateral: None,
+//!     timing: Timing { duration: 10.0, closing_window: 2.0 },
+//! };
+//! let system = System::new(&responses)?;
+//! let refused = Stepper::new(&system, &scene).err();
+//! assert!(matches!(refused, Some(SimulationError::Scene(SceneError::Torques { .. }))));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::excitation::{EccentricMass, Impulse};
 use crate::laws::bit::BitTorque;

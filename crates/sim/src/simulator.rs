@@ -1,4 +1,44 @@
 //! One case from rest to its regimes: the stepper, what is skipped, and who watches.
+//!
+//! Below the limit of Eq. 74 a bit sticks again and again, well above it never (`responses` of a
+//! string as in the example of the crate):
+//!
+//! ```
+//! # use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
+//! # let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! # let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! # let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! # let request = Request {
+//! #     sites: Sites::bit(),
+//! #     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+//! #     sampling_frequency: 640.0,
+//! #     longest_time: 20.0,
+//! # };
+//! # let responses = linear::responses(&string, &Method::Quadrature, &request)?;
+//! use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
+//! use sim::{BitTorque, Scene, Simulator, Start, Stopping, TorsionRegime};
+//!
+//! let simulator = Simulator::new(&responses)?;
+//! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0, decay_speed: 0.0 };
+//! let undershoot = largest_undershoot(responses.at_bit().unwrap_or_default());
+//! let limit = stick_slip_speed_limit(undershoot, bit.torque_static, bit.torque_dynamic);
+//! let regime = |surface_speed: f64| -> Result<_, sim::SimulationError> {
+//!     let timing = sim::torsion_timing(&string, surface_speed, &bit, &Start::Rest);
+//!     let scene = Scene {
+//!         surface_speed,
+//!         start: Start::Rest,
+//!         bit: Some(bit),
+//!         friction: Vec::new(),
+//!         lateral: None,
+//!         timing,
+//!     };
+//!     let outcome = simulator.simulate(&scene, Stopping::Early, None)?;
+//!     Ok(outcome.torsion().map(|torsion| torsion.regime))
+//! };
+//! assert_eq!(regime(0.5 * limit)?, Some(TorsionRegime::StickSlip));
+//! assert_eq!(regime(2.0 * limit)?, Some(TorsionRegime::Smooth));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod case;
 mod watchers;

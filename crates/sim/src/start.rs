@@ -6,6 +6,7 @@ use crate::ranges::{SceneError, finite};
 
 /// The motion that a case begins with.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub enum Start {
     /// Rest: the surface then turns as its system says ([`crate::SurfaceProfile`]).
     #[default]

@@ -1,5 +1,46 @@
 //! Eqs. 59–61, step by step: what the past adds, the load lines that leaves, and the
 //! local laws that meet them.
+//!
+//! The torque on a stuck bit grows at k_eff Ω until it slips (`responses` of a string as in the
+//! example of the crate):
+//!
+//! ```
+//! # use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
+//! # let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! # let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! # let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! # let request = Request {
+//! #     sites: Sites::bit(),
+//! #     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+//! #     sampling_frequency: 640.0,
+//! #     longest_time: 20.0,
+//! # };
+//! # let responses = linear::responses(&string, &Method::Quadrature, &request)?;
+//! use linear::estimates::torsional_stiffness;
+//! use sim::{BitTorque, Scene, Start, Stepper, System};
+//!
+//! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0, decay_speed: 0.0 };
+//! let scene: Scene = Scene {
+//!     surface_speed: 0.5,
+//!     start: Start::Rest,
+//!     bit: Some(bit),
+//!     friction: Vec::new(),
+//!     lateral: None,
+//!     timing: sim::torsion_timing(&string, 0.5, &bit, &Start::Rest),
+//! };
+//! let system = System::new(&responses)?;
+//! let mut stepper = Stepper::new(&system, &scene)?;
+//! let mut first_slip = None;
+//! while let Some(step) = stepper.step()? {
+//!     if step.speeds[0] > 0.0 && first_slip.is_none() {
+//!         first_slip = Some(step.time);
+//!     }
+//! }
+//! let winding = 1200.0 / (0.5 * torsional_stiffness(&string));
+//! let first_slip = first_slip.ok_or("it slips")?;
+//! assert!((first_slip - winding).abs() < 0.4, "{first_slip} {winding}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use linear::SteadyMotion;
 
@@ -20,6 +61,7 @@ use crate::system::System;
 
 /// One step of all sites that may bear a load.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Step<S> {
     /// Time, s.
     pub time: f64,

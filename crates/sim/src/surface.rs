@@ -9,7 +9,19 @@ use crate::sampling::Sampling;
 
 /// The speed of the surface over time, in parts of that which a scene names; at rest before
 /// t = 0.
+///
+/// ```
+/// use sim::{Recording, SurfaceProfile};
+///
+/// assert_eq!(SurfaceProfile::default(), SurfaceProfile::Rise(0.0));
+/// assert_eq!(SurfaceProfile::Rise(5.0).rise(), 5.0);
+/// // In parts of the speed of a scene: from rest to all of it, and half of it from then on.
+/// let recorded = Recording::new(vec![0.0, 5.0, 20.0, 25.0], vec![0.0, 1.0, 1.0, 0.5])?;
+/// assert_eq!(SurfaceProfile::Recorded(recorded).rise(), 0.0);
+/// # Ok::<(), sim::RecordingError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum SurfaceProfile {
     /// It rises evenly to its speed in this time, s; at once where that is zero.
     Rise(f64),
@@ -45,8 +57,8 @@ impl SurfaceProfile {
         }
     }
 
-    /// The speed at a time, s.
-    pub(crate) fn at(&self, time: f64) -> f64 {
+    /// The speed at a time, s, in parts of that which a scene names.
+    pub fn at(&self, time: f64) -> f64 {
         match self {
             Self::Rise(rise) if time < *rise => (time / rise).max(0.0),
             Self::Rise(_) => 1.0,

@@ -53,9 +53,10 @@ impl System {
         let torsion = checked_torsion(responses, profile)?;
         let sites = responses.sites.len();
         let bending = responses.bending();
-        if let Some(bending) = bending
-            && !(bending.loads.iter().copied().eq(0..sites) && torsion.loads == bending.loads)
-        {
+        let fits = |bending: &ChannelResponses| {
+            bending.loads.iter().copied().eq(0..sites) && torsion.loads == bending.loads
+        };
+        if !bending.is_none_or(fits) {
             return Err(SimulationError::UnlikeChannels);
         }
         let sampling = sampling(responses);

@@ -1,4 +1,21 @@
 //! How long a case must be simulated for its label to be certain to show.
+//!
+//! ```
+//! use linear::estimates::stick_slip_times;
+//! use linear::{Drillstring, Material, Section, Tube};
+//! use sim::{BitTorque, Start, torsion_timing};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.02)?;
+//! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0, decay_speed: 0.0 };
+//! let timing = torsion_timing(&string, 6.0, &bit, &Start::Rest);
+//! // A slip of two round trips, and the longest time in sticking.
+//! let times = stick_slip_times(&string, 6.0, 1200.0, 1000.0);
+//! assert_eq!(timing.closing_window, 2.0 * times.slip + 2.0 * times.stick);
+//! assert!(timing.duration > times.first_slip + 3.0 * timing.closing_window);
+//! # Ok::<(), linear::DrillstringError>(())
+//! ```
 
 use linear::Drillstring;
 use linear::estimates::{

@@ -1,4 +1,41 @@
 //! The time history of one case, kept only where it is asked for.
+//!
+//! The motion of a case with `responses` of a string as in the example of the crate:
+//!
+//! ```
+//! # use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
+//! # let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! # let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! # let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! # let request = Request {
+//! #     sites: Sites::bit(),
+//! #     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+//! #     sampling_frequency: 640.0,
+//! #     longest_time: 20.0,
+//! # };
+//! # let responses = linear::responses(&string, &Method::Quadrature, &request)?;
+//! use sim::{BitTorque, Scene, Simulator, Start, Stopping, Trajectory};
+//!
+//! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0, decay_speed: 0.0 };
+//! let scene = Scene {
+//!     surface_speed: 0.5,
+//!     start: Start::Rest,
+//!     bit: Some(bit),
+//!     friction: Vec::new(),
+//!     lateral: None,
+//!     timing: sim::torsion_timing(&string, 0.5, &bit, &Start::Rest),
+//! };
+//! let mut motion = Trajectory::default();
+//! let simulator = Simulator::new(&responses)?;
+//! simulator.simulate(&scene, Stopping::Early, Some(&mut motion))?;
+//! let samples = motion.speeds[0].iter().zip(&motion.bit_torque);
+//! // It stands still below the static torque, and turns against the dynamic one.
+//! for (speed, torque) in samples {
+//!     let is_stuck = *speed == 0.0 && torque.abs() <= 1200.0;
+//!     assert!(is_stuck || *speed > 0.0 && *torque == -1000.0);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use linear::budget::REAL;
 

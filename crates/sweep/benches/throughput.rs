@@ -1,4 +1,4 @@
-//! Whole commands on one thread and on all: `cargo bench -p sweep`.
+//! Whole commands on one thread and on all: `cargo bench -p drillstring`.
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
 use std::process::Command;

@@ -30,7 +30,6 @@ mod commands;
 mod explore;
 mod histories;
 mod map;
-mod method_styles;
 mod program;
 mod report;
 
@@ -45,7 +44,11 @@ pub fn main() -> ExitCode {
     let arguments = Cli::of_program();
     let terminal = Terminal::of(&arguments.command);
     let result = commands::stop::listen(terminal).and_then(|()| match arguments.command {
-        Command::New { file, force } => commands::new::new(&file, force),
+        Command::New {
+            file,
+            schema,
+            force,
+        } => commands::new::new(&file, schema, force),
         Command::Run(arguments) => commands::run::run(&arguments, terminal),
         Command::Check(arguments) => commands::check::check(&arguments, terminal),
         Command::Reference(arguments) => commands::reference::reference(&arguments, terminal),
@@ -55,7 +58,9 @@ pub fn main() -> ExitCode {
         Command::Merge { folders, out } => commands::merge::merge(&folders, &out, terminal),
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
         Command::Explore(arguments) => commands::explore::explore(&arguments, terminal),
-        Command::Summary { folder } => commands::report::summary(&folder, terminal),
+        Command::Summary { folder, document } => {
+            commands::report::summary(&folder, document.json, terminal)
+        }
         Command::Export(arguments) => commands::export::export(&arguments, terminal),
         Command::Analyse(arguments) => commands::analyse::analyse(&arguments, terminal),
         Command::Window(arguments) => commands::window::window(&arguments, terminal),

@@ -46,7 +46,8 @@ fn new_file() -> String {
 
 /// A # alone parts the tables of a block.
 fn is_switched_off(line: &str) -> bool {
-    line.starts_with('#') && !line.starts_with("# ") && line != "#"
+    let is_words = line.starts_with("# ") || line.starts_with("#:") || line == "#";
+    line.starts_with('#') && !is_words
 }
 
 /// The file with the # taken from the block that begins with `first`.
@@ -89,6 +90,30 @@ fn a_new_file_runs_as_it_is_and_shows_both_regimes() {
             labels.len()
         );
     }
+}
+
+/// Next to the file and by the name in its first line, of a folder too.
+#[test]
+fn the_schema_is_where_the_first_line_says() {
+    let place = Workplace::new();
+    std::fs::create_dir(place.path("wells")).unwrap();
+    let answer = succeeds(&place, &["new", "wells/a.toml"]);
+    let command = "sweep schema > wells/sweep.schema.json";
+    assert!(answer.output.contains(command), "{answer:?}");
+    assert!(!place.path("wells/sweep.schema.json").exists());
+    let first = text(&place, "wells/a.toml");
+    assert_eq!(first.lines().next(), Some("#:schema ./sweep.schema.json"));
+    let answer = succeeds(&place, &["new", "wells/b.toml", "--schema"]);
+    assert!(answer.output.contains("wells/sweep.schema.json is written"));
+    let printed = succeeds(&place, &["schema"]).output;
+    assert_eq!(text(&place, "wells/sweep.schema.json"), printed);
+    // One of an earlier version is replaced, and nothing else.
+    place.write("wells/sweep.schema.json", &printed[..1000]);
+    succeeds(&place, &["new", "wells/c.toml", "--schema"]);
+    assert_eq!(text(&place, "wells/sweep.schema.json"), printed);
+    place.write("wells/sweep.schema.json", "{}");
+    let arguments = ["new", "wells/d.toml", "--schema"];
+    refused(&place, &arguments, &["sweep.schema.json is there already"]);
 }
 
 #[test]

@@ -123,7 +123,7 @@ fn numbers_read_back_exactly() {
     let awkward = [
         0.1 + 0.2,
         1.0 / 3.0,
-        0.02f64.next_up(),
+        f64::from_bits(0.02f64.to_bits() + 1),
         123.456_789_012_345_68,
     ];
     let values = format!("{{ values = {awkward:?} }}");

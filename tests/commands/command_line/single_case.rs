@@ -12,9 +12,30 @@ fn simulate_writes_the_history_of_one_case() {
     assert!(answer.output.contains("Ω = 0.0200 rpm"), "{answer:?}");
     assert_eq!(
         names_in(&place, "case"),
-        names(["case.csv", "history.csv", "history.png", "history.svg"])
+        names([
+            "case.csv",
+            "history.csv",
+            "history.png",
+            "history.svg",
+            "phase.png",
+            "phase.svg",
+            "spectrum.png",
+            "spectrum.svg",
+        ])
     );
-    is_png(&place, "case/history.png");
+    for picture in ["history", "phase", "spectrum"] {
+        is_png(&place, &format!("case/{picture}.png"));
+    }
+    let spectrum = text(&place, "case/spectrum.svg");
+    for words in [
+        "Bit speed, quadrature",
+        "Frequency (Hz)",
+        "Amplitude (rpm)",
+        "Amplitude (kN m)",
+    ] {
+        assert!(spectrum.contains(words), "{words}");
+    }
+    assert!(text(&place, "case/phase.svg").contains("Twist of the string"));
     let history = table(&text(&place, "case/history.csv"));
     assert_eq!(
         history[0],

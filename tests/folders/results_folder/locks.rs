@@ -1,5 +1,4 @@
-//! A file system without locks, played by a library that takes the place of the
-//! system's call.
+//! A file system without locks, played by a filter of system calls that the kernel applies.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -7,23 +6,41 @@ use std::process::Command;
 use crate::results_folder::{read, succeeds};
 use crate::support::{SMALL, Workplace, without_smeared_fronts};
 
-/// A library whose locks all fail, made by the compiler that links Rust's programs.
-fn library(place: &Workplace, error: &str) -> PathBuf {
+/// A program that starts another whose locks all fail, made by the compiler that links Rust's
+/// programs.
+fn launcher(place: &Workplace, error: &str) -> PathBuf {
     place.write(
-        "flock.c",
+        "launcher.c",
         format!(
-            "#include <errno.h>\n\
-             int flock(int file, int operation) {{ errno = {error}; return -1; }}\n"
+            "#include <errno.h>
+             #include <stddef.h>
+             #include <unistd.h>
+             #include <linux/filter.h>
+             #include <linux/seccomp.h>
+             #include <sys/prctl.h>
+             #include <sys/syscall.h>
+             int main(int count, char **arguments) {{
+                 struct sock_filter steps[] = {{
+                     BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr)),
+                     BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_flock, 0, 1),
+                     BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | {error}),
+                     BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+                 }};
+                 struct sock_fprog filter = {{sizeof steps / sizeof *steps, steps}};
+                 if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)) return 98;
+                 if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter)) return 99;
+                 return execv(arguments[1], arguments + 1);
+             }}"
         ),
     );
-    let library = place.path("flock.so");
+    let launcher = place.path("launcher");
     let status = Command::new("cc")
-        .args(["-shared", "-fPIC", "-w", "-o"])
-        .args([&library, &place.path("flock.c")])
+        .args(["-w", "-o"])
+        .args([&launcher, &place.path("launcher.c")])
         .status()
         .unwrap();
     assert!(status.success());
-    library
+    launcher
 }
 
 #[test]
@@ -32,11 +49,13 @@ fn a_file_system_without_locks_is_warned_of_and_the_run_continues() {
     succeeds(&place, &["run", "small.toml", "--out", "whole"]);
     // Of a kernel, of a network file system, of a file system.
     for error in ["ENOSYS", "ENOLCK", "EOPNOTSUPP"] {
-        let library = library(&place, error);
+        let launcher = launcher(&place, error);
         let sweep = |arguments: &[&str]| {
-            let output = place
-                .command(arguments)
-                .env("LD_PRELOAD", &library)
+            let command = place.command(arguments);
+            let output = Command::new(&launcher)
+                .arg(command.get_program())
+                .args(command.get_args())
+                .current_dir(place.path("."))
                 .output()
                 .unwrap();
             let errors = String::from_utf8(output.stderr).unwrap();

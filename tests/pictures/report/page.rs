@@ -112,7 +112,8 @@ fn the_page_is_for_every_reader() {
         page.matches("role=\"img\"").count(),
     );
     assert_eq!(page.matches("<caption>").count(), tables);
-    assert!(tables > 5 && images == 1);
+    // The map of both methods, and one of each.
+    assert!(tables > 5 && images == 3);
     let svgs = page.split("<svg ").skip(1);
     let mut starts = svgs.map(|svg| svg.split('>').next().unwrap());
     assert!(starts.all(|start| start.contains("aria-hidden=") || start.contains("aria-label=")));
@@ -266,10 +267,11 @@ fn a_failed_case_is_there_with_its_reason_and_its_command() {
     let page = report(&place, &["results"]);
     assert_well_formed(&page);
     assert!(
-        page.contains("<td>the speed is &lt;inf&gt;, at once</td>"),
+        page.contains(" data-name=\"reason\">the speed is &lt;inf&gt;, at once</td>"),
         "{page}"
     );
-    assert!(page.contains("<td>sweep simulate small.toml --case 0</td>"));
+    assert!(page.contains(">sweep simulate small.toml --case 0</td>"));
+    assert!(page.contains("1 simulation of 12 failed and left no answer"));
     let reason = &cases_of(&page)["failures"]["0"]["quadrature"];
     assert_eq!(reason, "the speed is <inf>, at once");
     let summary = succeeds(&place, &["summary", "results"]).output;

@@ -124,9 +124,10 @@ impl<'a> References<'a> {
 
     /// A limit with others near is contested.
     pub fn look_for_islands(&self, reference: &mut Reference) {
-        if let Ok(systems) = &reference.systems
-            && let Err(reason) = (self.probes).check_for_islands(systems, &reference.answers)
-        {
+        let Ok(systems) = &reference.systems else {
+            return;
+        };
+        if let Err(reason) = (self.probes).check_for_islands(systems, &reference.answers) {
             reference.uncertainty = Err(reason);
             reference.is_contested = true;
         }

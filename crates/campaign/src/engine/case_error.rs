@@ -10,6 +10,7 @@ use crate::words::counted;
 
 /// Why there is no case, or no answer to it.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum CaseError {
     /// Neither the file nor an axis gives a condition.
     #[error("has no {0}")]

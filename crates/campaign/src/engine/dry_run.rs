@@ -63,7 +63,7 @@ pub(super) fn ask_for_responses(
 fn loads(request: &Request) -> usize {
     let of_channel = |channel: &ChannelRequest| match channel {
         ChannelRequest::Torsion { torques } => torques.len(),
-        ChannelRequest::Bending { .. } => 0,
+        _ => 0,
     };
     request.channels.iter().map(of_channel).sum()
 }

@@ -88,9 +88,8 @@ impl FollowedMethod {
             format!("case {} by {method}, followed to its end", case.index)
         })?;
         self.case.add_surface_torque(case, &mut motion);
-        if let Some(watched) = &self.watched
-            && let Some(mut speeds) = watched.driven_speeds(case, &motion)
-        {
+        let driven = (self.watched.as_ref()).and_then(|it| it.driven_speeds(case, &motion));
+        if let Some(mut speeds) = driven {
             // The bit, which is the last, has been simulated.
             speeds.pop();
             speeds.append(&mut motion.speeds);

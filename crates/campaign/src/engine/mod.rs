@@ -1,5 +1,19 @@
 //! From a sweep to its records: each distinct string's linear systems built once,
 //! every case stepped against them on all cores.
+//!
+//! ```
+//! use campaign::engine::Shard;
+//!
+//! // Parts of a sweep for several machines: each of nine cases of one string is in one of four.
+//! let parts = ["0/4", "1/4", "2/4", "3/4"].into_iter().map(str::parse::<Shard>);
+//! let parts = parts.collect::<Result<Vec<_>, _>>()?;
+//! for case in 0..9 {
+//!     let having = parts.iter().filter(|part| part.has(1, 0, 9, case));
+//!     assert_eq!(having.count(), 1);
+//! }
+//! assert!("4/4".parse::<Shard>().is_err());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod answer;
 mod case;

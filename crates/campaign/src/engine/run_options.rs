@@ -23,7 +23,7 @@ impl RunOptions {
     pub fn stopping(self, case: usize) -> Stopping {
         if self.full {
             Stopping::Full
-        } else if case.is_multiple_of(CHECKED_PART) {
+        } else if case % CHECKED_PART == 0 {
             Stopping::Checked
         } else {
             Stopping::Early

@@ -48,6 +48,7 @@ impl fmt::Display for Shard {
 
 /// Why a text names no part of a sweep.
 #[derive(Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ShardError {
     /// It is not written as one.
     #[error("expected I/N with I from 0 to N − 1, such as 0/4")]

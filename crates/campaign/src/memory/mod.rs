@@ -4,6 +4,16 @@
 //! What is taken is what the builders of `linear` and `sim` ask for in a dry run
 //! ([`linear::budget`]), with what this program holds itself. It is an upper bound; a test compares
 //! it with the largest memory of real runs.
+//!
+//! ```
+//! use campaign::memory::{Limit, Size};
+//!
+//! let size: Size = "1.5G".parse()?;
+//! assert_eq!(size.0, 1.5 * 1024f64.powi(3));
+//! assert_eq!(Limit::of(Some(size)).bytes, size.0);
+//! assert!("half of it".parse::<Size>().is_err());
+//! # Ok::<(), String>(())
+//! ```
 
 mod blame;
 mod demand;

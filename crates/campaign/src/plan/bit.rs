@@ -18,6 +18,7 @@ pub struct Bit {
 
 /// Why a rock gives no torque for a weight on bit.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum TorqueError {
     /// It does not reach so far.
     #[error("{}", in_kilonewtons(.0))]

@@ -2,7 +2,7 @@
 
 use sim::{Recording, Trajectory};
 
-use crate::records::to_rpm;
+use crate::records::{MISFIT, to_rpm};
 use crate::sweep_file::{
     AutoOr, CompareTable, Extreme, FileContent, Source, SweepFileError, TextOf, TraceName,
     read_series,
@@ -217,7 +217,7 @@ fn comparison(
         }
     };
     let comparison = Comparison {
-        column: format!("misfit_{name}{unit}"),
+        column: format!("{MISFIT}{name}{unit}"),
         name: name.replace('_', " "),
         trace: table.trace,
         recorded,

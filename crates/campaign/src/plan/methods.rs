@@ -84,15 +84,8 @@ fn method(content: &FileContent, name: MethodName) -> Method {
 
 /// Makes a file name one method alone, with its parameters.
 pub fn put(content: &mut FileContent, method: Method) {
-    content.methods = vec![match method {
-        Method::Hilbert(_) => MethodName::Hilbert,
-        Method::Held => MethodName::Held,
-        Method::Quadrature => MethodName::Quadrature,
-        Method::Trapezoidal => MethodName::Trapezoidal,
-        Method::FiniteElement(parameters) => {
-            content.method.finite_element = parameters;
-            MethodName::FiniteElement
-        }
-        Method::DirectIdft(_) => MethodName::DirectIdft,
-    }];
+    if let Method::FiniteElement(parameters) = method {
+        content.method.finite_element = parameters;
+    }
+    content.methods = MethodName::of(&method).into_iter().collect();
 }

@@ -109,10 +109,10 @@ impl Sweep {
         let data = Data::read(&source, &content, &design, text_of)?;
         let conditions = conditions::resolve(&source, &content, data.fastest_surface_rpm())?;
         conditions::are_complete(&source, &content, &conditions, &design)?;
-        let name = path.file_stem().map_or_else(
-            || "sweep".to_owned(),
-            |stem| stem.to_string_lossy().into_owned(),
-        );
+        if !source.gives_itself("name") {
+            content.name = None;
+        }
+        let name = texts::name(&source, &content)?;
         if let AutoOr::Given(time) = content.time_s {
             source.within("time_s", time, 1e-3, LONGEST_CASE, "s")?;
         }

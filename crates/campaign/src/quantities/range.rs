@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// Why a quantity is refused a value.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ValueError {
     /// Outside its range: if it has the right sign, probably in another unit.
     #[error(

@@ -140,14 +140,6 @@ impl ResultColumn {
         motion.name()
     }
 
-    /// The column of whether that label is certain.
-    pub fn certainty_of(motion: Motion) -> &'static str {
-        match motion {
-            Motion::Torsion => "torsion_certified",
-            Motion::Lateral => "lateral_certified",
-        }
-    }
-
     /// What a row has in it.
     pub fn field(&self, row: &RecordRow) -> Field<'static> {
         (self.field)(row)

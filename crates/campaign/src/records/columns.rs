@@ -9,6 +9,18 @@ use super::column::{
 use super::field::Field;
 use super::verdict::MotionVerdict;
 
+/// How the columns of what cases are held against begin.
+pub const MISFIT: &str = "misfit_";
+
+/// What version 0.1.0 called `predicted`.
+pub const OLD_PREDICTED: &str = "foretold";
+
+/// Whether a column of this name says what a run has found, or of which row, and is no axis.
+pub fn is_of_results(name: &str) -> bool {
+    let is_first = ["case", "method", OLD_PREDICTED].contains(&name);
+    is_first || name.starts_with(MISFIT) || COLUMNS.iter().any(|column| column.name == name)
+}
+
 /// All columns of results, in their order. Those of what cases are held against, which a sweep
 /// names itself, follow [`Group::String`].
 pub static COLUMNS: &[ResultColumn] = &[
@@ -283,10 +295,21 @@ const DONE: &str = "ok";
 /// That of one without.
 pub const FAILED: &str = "failed";
 
+/// The end of the names of such columns.
+const CERTIFIED: &str = "_certified";
+
 impl ResultColumn {
     /// The column of a name.
     pub fn named(name: &str) -> Option<&'static Self> {
         COLUMNS.iter().find(|column| column.name == name)
+    }
+
+    /// The column of whether the label of a motion is certain.
+    pub fn certainty_of(motion: Motion) -> &'static str {
+        let of_motion = COLUMNS.iter().filter(|it| it.motion == Some(motion));
+        let mut names = of_motion.map(|it| it.name);
+        let certified = names.find(|name| name.ends_with(CERTIFIED));
+        certified.unwrap_or(CERTIFIED)
     }
 }
 

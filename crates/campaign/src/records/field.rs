@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use serde::{Serialize, Serializer};
+
 /// What a column holds, where a row has anything there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -31,6 +33,17 @@ pub enum Field<'a> {
     Flag(bool),
 }
 
+impl Field<'_> {
+    /// The number or count that it holds, if it does.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Field::Number(number) => Some(*number),
+            Field::Count(count) => Some(*count as f64),
+            Field::Nothing | Field::Text(_) | Field::Flag(_) => None,
+        }
+    }
+}
+
 impl fmt::Display for Field<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -39,6 +52,19 @@ impl fmt::Display for Field<'_> {
             Field::Number(number) => write!(f, "{number}"),
             Field::Count(count) => write!(f, "{count}"),
             Field::Flag(flag) => write!(f, "{flag}"),
+        }
+    }
+}
+
+/// In a document, a field of nothing is null, and so is a number that is not finite.
+impl Serialize for Field<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Field::Nothing => serializer.serialize_none(),
+            Field::Text(text) => serializer.serialize_str(text),
+            Field::Number(number) => serializer.serialize_f64(*number),
+            Field::Count(count) => count.serialize(serializer),
+            Field::Flag(flag) => serializer.serialize_bool(*flag),
         }
     }
 }

@@ -8,8 +8,9 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use sim::Motion;
 
-use super::column::{Needs, ResultColumn};
+use super::column::{Needs, RecordRow, ResultColumn};
 use super::columns::COLUMNS;
+use super::field::Field;
 use crate::quantities::{Unit, Units};
 
 /// A measure of a case: one of the columns of results that a map may have as colour.
@@ -33,6 +34,11 @@ impl Measure {
     /// Its column in `labels.csv`.
     pub fn column(self) -> &'static str {
         self.0.name
+    }
+
+    /// What a row holds of it.
+    pub fn field(self, row: &RecordRow) -> Field<'static> {
+        self.0.field(row)
     }
 
     /// As a person reads it.

@@ -1,5 +1,16 @@
 //! What becomes of a case by a method: its record, what that makes certain, and the table of the
 //! columns in which it is written, read, drawn and handed to Python.
+//!
+//! ```
+//! use campaign::quantities::Units;
+//! use campaign::records::ResultColumn;
+//! use sim::Motion;
+//!
+//! let column = ResultColumn::named("peak_radius_mm").ok_or("it is measured")?;
+//! assert_eq!((column.words, column.motion), ("Greatest radius", Some(Motion::Lateral)));
+//! assert_eq!(column.unit(Units::Field).name, "in");
+//! # Ok::<(), &str>(())
+//! ```
 
 mod column;
 mod columns;
@@ -9,7 +20,9 @@ mod record;
 mod verdict;
 
 pub use column::{Group, Needs, RecordRow, ResultColumn, to_kn, to_mm, to_rpm, to_turns};
-pub use columns::{COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES};
+pub use columns::{
+    COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, OLD_PREDICTED, is_of_results,
+};
 pub use field::{Field, Kind};
 pub use measure::Measure;
 pub use record::{ByStart, Failure, Found, Record, certified};

@@ -133,7 +133,7 @@ pub fn certified(case: &[Record], places: [usize; 2]) -> Labels {
 
 #[cfg(test)]
 mod tests {
-    use sim::{Ended, Measures, PerMotion, TorsionMeasures};
+    use sim::Ended;
 
     use super::super::verdict::MotionVerdict;
     use super::*;
@@ -143,16 +143,17 @@ mod tests {
     /// A record of a method that drills smoothly at 5 and, by shorter steps, 5.5 rad/s above
     /// the limit.
     fn record(method: usize) -> Record {
-        let torsion = TorsionMeasures {
-            regime: SMOOTH,
-            first_slip: Some(1.0),
-            period: None,
-            slip_time: None,
-            sticks: 0,
-            peak_speed: 9.0,
-            closing_speed: 6.0,
-            severity: None,
-        };
+        let outcome = serde_json::json!({
+            "simulated": 9.0,
+            "ended": Ended::End,
+            "torsion": {
+                "regime": SMOOTH,
+                "first_slip": 1.0,
+                "sticks": 0,
+                "peak_speed": 9.0,
+                "closing_speed": 6.0,
+            },
+        });
         Record {
             above_limit: Some(5.0),
             finer: Some(Verdict::only(
@@ -162,14 +163,7 @@ mod tests {
                     above_limit: Some(5.5),
                 },
             )),
-            outcome: Ok(Outcome {
-                simulated: 9.0,
-                ended: Ended::End,
-                predicted: None,
-                measures: PerMotion::only(Motion::Torsion, Measures::Torsion(torsion)),
-                string_torque: None,
-                surface: None,
-            }),
+            outcome: Ok(serde_json::from_value(outcome).unwrap()),
             ..Record::failed(3, method, Vec::new(), Failure::new(""))
         }
     }

@@ -107,7 +107,7 @@ impl MotionVerdict {
             } => match regime {
                 TorsionRegime::StickSlip | TorsionRegime::Bistable => Some(vec![-above_limit?]),
                 TorsionRegime::Smooth => Some(vec![above_limit?]),
-                TorsionRegime::Stuck => None,
+                _ => None,
             },
             Self::Lateral {
                 regime,
@@ -121,6 +121,7 @@ impl MotionVerdict {
                     LateralRegime::TransientContact => vec![-lasting],
                     LateralRegime::BackwardWhirl => vec![lasting, -precession_rate],
                     LateralRegime::ForwardWhirl => vec![lasting, precession_rate],
+                    _ => return None,
                 })
             }
         }

@@ -12,6 +12,7 @@ use crate::quantities::StringAxis;
 
 /// Why a file has no place for a quantity of the string.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum NoPlace {
     /// Its string has no bending constants.
     #[error("needs a table [string.bending]")]

@@ -23,6 +23,10 @@ use crate::quantities::{Axis, Units};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FileContent {
+    /// Names the results folder; it is not taken from a base. Left out, the file's name without its
+    /// ending; of a file from standard input, `sweep`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// One line for pictures and reports; like all names without control characters. Left out,
     /// the words of the file's name.
     pub title: Option<String>,

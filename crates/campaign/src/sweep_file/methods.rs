@@ -1,6 +1,7 @@
 //! `methods` and `[method]`: the linear methods and their parameters.
 
 use clap::ValueEnum;
+use linear::Method;
 use linear::method::{FiniteElement, Transform};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,6 +26,12 @@ pub enum MethodName {
 }
 
 impl MethodName {
+    /// That of a method; every method of a sweep has one.
+    pub fn of(method: &Method) -> Option<Self> {
+        let mut all = Self::value_variants().iter().copied();
+        all.find(|name| name.name() == method.name())
+    }
+
     /// The name used in files and on the command line.
     pub fn name(self) -> &'static str {
         match self {
@@ -48,4 +55,26 @@ pub struct MethodTables {
     pub direct_idft: Transform,
     /// Parameters of `finite-element`.
     pub finite_element: FiniteElement,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_method_is_found_by_its_name() {
+        let methods = [
+            Method::Held,
+            Method::Quadrature,
+            Method::Hilbert(Transform::default()),
+            Method::FiniteElement(FiniteElement::default()),
+            Method::DirectIdft(Transform::default()),
+            Method::Trapezoidal,
+        ];
+        assert_eq!(methods.len(), MethodName::value_variants().len());
+        for method in methods {
+            let name = MethodName::of(&method).map(MethodName::name);
+            assert_eq!(name, Some(method.name()));
+        }
+    }
 }

@@ -1,5 +1,18 @@
 //! The sweep file as it is written: its text with its bases, its keys, and errors with
 //! file, line and key. What the keys mean together is the business of `plan`.
+//!
+//! What is wrong is reported with its line and its key:
+//!
+//! ```
+//! use campaign::Campaign;
+//!
+//! let text = "[string]\nshear_modulus_gpa = 80\ndensity_kg_m3 = -1\n";
+//! let refused = Campaign::open("my.toml".as_ref(), &[], &|_, _| Ok(text.to_owned()));
+//! let error = refused.err().ok_or("it is no sweep file")?;
+//! assert_eq!(error.file(), std::path::Path::new("my.toml"));
+//! assert!(error.to_string().starts_with("my.toml"));
+//! # Ok::<(), &str>(())
+//! ```
 
 mod bha_sheet;
 pub mod bit;
@@ -50,3 +63,7 @@ pub use survey::{SurveyNotes, read_survey};
 pub use top_drive::{ControllerName, TopDriveTable};
 pub use well::{HoleTable, PressedByName};
 pub use wording::{UnknownAxis, axis_in_units, axis_named, nearest};
+
+/// A sweep file to start from, which runs as it is: what `sweep new` writes. A test switches on each
+/// of its settings.
+pub const TEMPLATE: &str = include_str!("template.toml");

@@ -75,9 +75,10 @@ impl Placed {
         if let Some(toml::Value::Table(values)) = self.table.get_mut(table) {
             values.insert(key.to_owned(), value);
         }
-        if let Some(places) = self.places.get_mut(table)
-            && let Some(place) = places.keys.get(neighbour)
-        {
+        let Some(places) = self.places.get_mut(table) else {
+            return;
+        };
+        if let Some(place) = places.keys.get(neighbour) {
             let place = KeyPlaces {
                 written: Some(neighbour.to_owned()),
                 ..place.clone()

@@ -82,7 +82,7 @@ pub fn read_series(
             RecordingError::NotFinite(sample) | RecordingError::RunsBack { sample, .. } => {
                 lines.get(sample).copied()
             }
-            RecordingError::Shape => None,
+            _ => None,
         };
         named.error(line, &reason.to_string())
     })?;

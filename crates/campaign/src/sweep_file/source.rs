@@ -90,6 +90,12 @@ impl Source {
         table.and_then(|table| table.get(key)).is_some()
     }
 
+    /// Whether the sweep file itself gives a key of its top level, not a base of it.
+    pub fn gives_itself(&self, key: &str) -> bool {
+        let place = self.merged.find(key).map(|(place, _)| place.file);
+        self.gives(key) && place == Some(0)
+    }
+
     /// The sweep file itself.
     pub fn file(&self) -> &Path {
         &self.files[0]

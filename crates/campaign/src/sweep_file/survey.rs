@@ -134,7 +134,7 @@ pub fn read_survey(
             SurveyError::NoPlace(station) | SurveyError::GoesBack(station) => Some(station),
             SurveyError::TurnsRound(station) => Some(station + 1),
             SurveyError::BeginsBelow(_) => Some(0),
-            SurveyError::TooFew => None,
+            _ => None,
         };
         let line = row.and_then(|row| rows.get(row)).map(|row| row.line);
         named.error(line, &reason.to_string())

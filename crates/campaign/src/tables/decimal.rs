@@ -15,6 +15,7 @@ pub enum Decimals {
 
 /// Why a text is refused as a number.
 #[derive(Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum NumberError {
     /// It is not a number.
     #[error("`{0}` is not a number")]

@@ -3,9 +3,9 @@
 
 use std::io::{Cursor, Read};
 
+use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::name::QName;
-use quick_xml::{Reader, XmlVersion};
 use zip::ZipArchive;
 
 use super::grid::{Cell, Line};
@@ -52,22 +52,22 @@ impl Sheet {
         loop {
             let event = reader.read_event().map_err(|error| error.to_string())?;
             match &event {
-                Event::Start(start) if start.name() == QName("table:table") => is_in_table = true,
-                Event::End(end) if end.name() == QName("table:table") && is_in_table => {
+                Event::Start(start) if start.name() == QName(b"table:table") => is_in_table = true,
+                Event::End(end) if end.name() == QName(b"table:table") && is_in_table => {
                     return Ok(sheet.grid.lines);
                 }
                 Event::Eof => return Err("it has no whole sheet".to_owned()),
                 _ if !is_in_table => {}
-                Event::Start(start) if start.name() == QName("office:annotation") => in_note += 1,
-                Event::End(end) if end.name() == QName("office:annotation") => in_note -= 1,
+                Event::Start(start) if start.name() == QName(b"office:annotation") => in_note += 1,
+                Event::End(end) if end.name() == QName(b"office:annotation") => in_note -= 1,
                 _ if in_note > 0 => {}
-                Event::Start(start) if start.name() == QName("table:table-row") => {
+                Event::Start(start) if start.name() == QName(b"table:table-row") => {
                     sheet.repeats_row = repeats(start, "table:number-rows-repeated")?;
                 }
-                Event::Empty(start) if start.name() == QName("table:table-row") => {
+                Event::Empty(start) if start.name() == QName(b"table:table-row") => {
                     sheet.row += repeats(start, "table:number-rows-repeated")?;
                 }
-                Event::End(end) if end.name() == QName("table:table-row") => sheet.end_row()?,
+                Event::End(end) if end.name() == QName(b"table:table-row") => sheet.end_row()?,
                 Event::Start(start) if is_cell(start) => cell = Some(Open::new(start)?),
                 Event::Empty(start) if is_cell(start) => sheet.end_cell(Open::new(start)?),
                 Event::End(end) if is_cell_name(end.name()) => {
@@ -76,21 +76,21 @@ impl Sheet {
                         .for_each(|cell| sheet.end_cell(cell));
                 }
                 Event::Text(text) => {
-                    let text = text.xml_content(XmlVersion::Implicit1_0);
+                    let text = text.xml_content().map_err(|error| error.to_string())?;
                     cell.iter_mut().for_each(|cell| cell.text.push_str(&text));
                 }
                 Event::GeneralRef(entity) => {
                     let letter = match &**entity {
-                        "amp" => Some('&'),
-                        "lt" => Some('<'),
-                        "gt" => Some('>'),
-                        "quot" => Some('"'),
-                        "apos" => Some('\''),
+                        b"amp" => Some('&'),
+                        b"lt" => Some('<'),
+                        b"gt" => Some('>'),
+                        b"quot" => Some('"'),
+                        b"apos" => Some('\''),
                         _ => entity.resolve_char_ref().ok().flatten(),
                     };
                     cell.iter_mut().for_each(|cell| cell.text.extend(letter));
                 }
-                Event::Empty(start) if start.name() == QName("text:s") => {
+                Event::Empty(start) if start.name() == QName(b"text:s") => {
                     cell.iter_mut().for_each(|cell| cell.text.push(' '));
                 }
                 _ => {}
@@ -151,7 +151,7 @@ fn is_cell(start: &BytesStart) -> bool {
 }
 
 fn is_cell_name(name: QName) -> bool {
-    name == QName("table:table-cell") || name == QName("table:covered-table-cell")
+    name == QName(b"table:table-cell") || name == QName(b"table:covered-table-cell")
 }
 
 fn repeats(start: &BytesStart, name: &str) -> Result<u64, String> {
@@ -163,7 +163,7 @@ fn repeats(start: &BytesStart, name: &str) -> Result<u64, String> {
 
 fn attribute(start: &BytesStart, name: &str) -> Result<Option<String>, String> {
     let attribute = (start.try_get_attribute(name)).map_err(|error| error.to_string())?;
-    let value = attribute.map(|it| it.normalized_value(XmlVersion::Implicit1_0));
+    let value = attribute.map(|it| it.decode_and_unescape_value(start.decoder()));
     let value = value.transpose().map_err(|error| error.to_string())?;
     Ok(value.map(|it| it.into_owned()))
 }

@@ -119,8 +119,7 @@ pub fn unpacked_size(bytes: &[u8]) -> Result<u64, String> {
     let mut size = 0;
     for index in 0..archive.len() {
         let file = archive.by_index(index).map_err(|error| error.to_string())?;
-        let name = file.name().map_err(|error| error.to_string())?;
-        let name = name.to_ascii_lowercase();
+        let name = file.name().to_ascii_lowercase();
         if !(name.ends_with(".xml") || name.ends_with(".rels")) {
             continue;
         }

@@ -1,4 +1,33 @@
 //! The whole string from the forces at its sites (Section 5.2.2, Fig. 13).
+//!
+//! A force that lasts bends a cantilever in the end by F L³/3EI at its tip, by 5/16 of that
+//! half-way:
+//!
+//! ```
+//! use linear::elements::reconstruction::WholeString;
+//! use linear::method::FiniteElement;
+//! use linear::{Bending, Drillstring, Material, Section, Sites, SurfaceSupport, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 2, parts: vec![pipe] }], 0.0)?;
+//! let bending = Bending { youngs_modulus: 210e9, damping: 80.0, compression: 0.0 };
+//! let whole = WholeString {
+//!     string: &string,
+//!     bending: &bending,
+//!     support: SurfaceSupport::Clamped,
+//!     sites: &Sites::bit(),
+//!     sampling_frequency: 200.0,
+//!     parameters: FiniteElement::default(),
+//! };
+//! let forces = [vec![vec![100.0; 2000]], vec![vec![0.0; 2000]]];
+//! let found = whole.reconstruct(&forces, &[1999])?;
+//! let [along_x, _] = &found.shapes[0];
+//! let tip = 100.0 * 20f64.powi(3) / (3.0 * 210e9 * pipe.second_moment());
+//! assert!((along_x[along_x.len() - 1] / tip - 1.0).abs() < 1e-3);
+//! assert!((along_x[along_x.len() / 2] / tip - 5.0 / 16.0).abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::mesh::most_elements;
 use super::stepped::{self, ASSEMBLED, SteppedChannel};

@@ -7,6 +7,18 @@
 //! Δ(ζ) = (A + ζ/(1 − ζ) 1 bᵀ)⁻¹, K taken of a matrix by its eigenvalues. A
 //! simulation would have to meet every contact at two coupled stages; the
 //! stepper does not, and this filter serves to compare linear responses.
+//!
+//! What integrates, 1/s, turns a step of one into a ramp:
+//!
+//! ```
+//! use linear::filters::radau;
+//!
+//! let taps = radau::taps(10.0, 64, &|s| 1.0 / s);
+//! // From both stages of a step to its end: after n whole steps the ramp is at n/10.
+//! let at_end = |steps: usize| -> f64 { taps[2..].iter().flat_map(|it| &it[..steps]).sum() };
+//! assert!((at_end(1) - 0.1).abs() < 1e-9);
+//! assert!((at_end(30) - 3.0).abs() < 1e-9);
+//! ```
 
 use num_complex::Complex64;
 

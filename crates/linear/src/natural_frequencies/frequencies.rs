@@ -124,7 +124,8 @@ impl NaturalFrequencies {
                 ..
             } => bending::below(&self.string, (bending, *support), stretches, omega),
         };
-        let tried = std::iter::successors(Some(omega), |omega| Some(omega.next_up()));
+        let next_up = |omega: &f64| Some(f64::from_bits(omega.to_bits() + 1));
+        let tried = std::iter::successors(Some(omega), next_up);
         let mut counts = tried.take(TRIES).filter_map(count);
         counts.next().ok_or(BuildError::NotFinite {
             method: "exact waves",

@@ -11,6 +11,27 @@
 //! (with it: [`crate::modes`]). In bending the surface is held as [`crate::SurfaceSupport`] says.
 //! The bit is free, and so is the string where it may touch the borehole wall, unless places are
 //! said to hold it.
+//!
+//! A uniform rod that is held at one end and free at the other has those of its odd quarter waves:
+//!
+//! ```
+//! use linear::natural_frequencies::NaturalFrequencies;
+//! use linear::{Drillstring, Material, Section, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.0)?;
+//! let modes = NaturalFrequencies::torsion(&string)?;
+//! let quarter_wave = 0.25 * std::f64::consts::TAU * string.torsional_wave_speed() / 1000.0;
+//! for (place, frequency) in modes.lowest(3)?.into_iter().enumerate() {
+//!     let odd = (2 * place + 1) as f64;
+//!     assert!((frequency / (odd * quarter_wave) - 1.0).abs() < 1e-9);
+//! }
+//! // The lowest swings as a quarter of a sine, most at the bit.
+//! let shape = modes.shape(quarter_wave, 3)?;
+//! assert!((shape.amplitudes[1] - 0.5f64.sqrt()).abs() < 1e-4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod bending;
 mod frequencies;

@@ -26,6 +26,7 @@ const OFF_RESONANCE: f64 = 1e-6;
 /// A mode along the string, from the surface to the bit; of a string that is held, from the
 /// uppermost place that holds it.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Shape {
     /// Depths, m.
     pub depths: Vec<f64>,

@@ -1,5 +1,12 @@
 //! Loops over all cores, whose answers are in the order of what they loop over, however many
 //! cores there are. Without the feature `parallel` there is one: a browser's page has no other.
+//!
+//! ```
+//! use linear::parallel;
+//!
+//! let cubes = parallel::map(5, 1, |number| number * number * number);
+//! assert_eq!(cubes, [0, 1, 8, 27, 64]);
+//! ```
 
 #[cfg(not(feature = "parallel"))]
 mod alone;

@@ -113,11 +113,7 @@ mod tests {
     fn decaying(length: usize, noise: f64) -> Vec<f64> {
         let fall = |index: usize| 1e-16_f64.powf(index as f64 / length as f64);
         let sign = |index: usize| {
-            if index.is_multiple_of(2) {
-                noise
-            } else {
-                -noise
-            }
+            if index % 2 == 0 { noise } else { -noise }
         };
         (0..length).map(|index| fall(index) + sign(index)).collect()
     }

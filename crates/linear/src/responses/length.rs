@@ -16,7 +16,7 @@ pub(crate) fn needed_taps(longest_time: f64, sampling_frequency: f64) -> f64 {
 pub(crate) fn transformable(length: usize) -> usize {
     let is_product = |length: usize| {
         let without = |mut left: usize, factor: usize| {
-            while left.is_multiple_of(factor) {
+            while left % factor == 0 {
                 left /= factor;
             }
             left

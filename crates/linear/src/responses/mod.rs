@@ -1,5 +1,31 @@
 //! From a drillstring to its responses by any method, no longer than the response lasts
 //! or the simulation needs.
+//!
+//! A step of torque turns the bit at the speed 1/Z until its front comes back from the surface,
+//! after 2L/c, and turns it the other way:
+//!
+//! ```
+//! use linear::estimates::{torsional_impedance, torsional_travel_time};
+//! use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.0)?;
+//! let travel_time = torsional_travel_time(&string);
+//! let request = Request {
+//!     sites: Sites::bit(),
+//!     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+//!     sampling_frequency: 100.0 / travel_time,
+//!     longest_time: 4.0 * travel_time,
+//! };
+//! let responses = linear::responses(&string, &Method::Held, &request)?;
+//! let taps = responses.at_bit().ok_or("a torque at the bit was asked for")?;
+//! let speed_after = |steps: usize| -> f64 { taps[..=steps].iter().sum() };
+//! let impedance = torsional_impedance(&string, &pipe);
+//! assert!((speed_after(190) * impedance - 1.0).abs() < 1e-6);
+//! assert!((speed_after(210) * impedance + 1.0).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod bending;
 mod channels;

@@ -8,6 +8,7 @@ use crate::sites::Sites;
 
 /// What is wanted of one channel.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum ChannelRequest {
     /// Speeds of all sites, from the surface and from torques.
     Torsion {
@@ -59,9 +60,11 @@ impl Request {
                 return Err(BuildError::ChannelTwice { channel });
             }
             let sites = self.sites.len();
-            if let ChannelRequest::Torsion { torques } = request
-                && let Some(&site) = torques.iter().find(|&&site| site >= sites)
-            {
+            let torques = match request {
+                ChannelRequest::Torsion { torques } => torques.as_slice(),
+                ChannelRequest::Bending { .. } => &[],
+            };
+            if let Some(&site) = torques.iter().find(|&&site| site >= sites) {
                 return Err(BuildError::NoSuchSite { site, sites });
             }
         }

@@ -90,7 +90,10 @@ impl Rounds {
             first * doublings.exp2()
         };
         let last = doubled_to(used).min(used.max(MOST_TAPS as f64));
-        let lasts = loss.map_or(f64::INFINITY, |loss| DECAYED / loss);
+        let lasts = match loss {
+            Some(loss) if loss > 0.0 => DECAYED / loss,
+            _ => f64::INFINITY,
+        };
         let longest = match loss {
             None => last,
             Some(_) => doubled_to(lasts).min(last).min(MOST_TAPS as f64),

@@ -12,6 +12,26 @@
 //! Equal cells whose travel time is no multiple of h have two lengths, one piece
 //! apart, spread as evenly as can be, so that no place of the string is further off
 //! than a piece.
+//!
+//! ```
+//! use linear::waves::lattice::Lattice;
+//! use linear::{Complex64, Drillstring, Material, Section, Sites, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 9.5, inner_radius: 0.05, outer_radius: 0.06 };
+//! let joint = Tube { length: 0.5, inner_radius: 0.05, outer_radius: 0.08 };
+//! let section = Section { repeat: 100, parts: vec![pipe, joint] };
+//! let string = Drillstring::new(steel, vec![section], 0.0)?;
+//! // Lengths of 9.5 m and 0.5 m are whole numbers of pieces: no place is moved.
+//! let lattice = Lattice::new(&string, &Sites::bit())?;
+//! assert!(lattice.misfit < 1e-9);
+//! let piece = lattice.step * string.torsional_wave_speed();
+//! assert!((0.5 / piece - (0.5 / piece).round()).abs() < 1e-6);
+//! // Where next to nothing changes, ζ ≈ 1, the bit turns as fast as the surface.
+//! let slow = lattice.admittance(Complex64::new(1.0 - 1e-8, 0.0));
+//! assert!((slow.from_surface[0] - 1.0).norm() < 1e-6);
+//! # Ok::<(), linear::DrillstringError>(())
+//! ```
 
 use crate::assembly::chain::Stiffness;
 use crate::assembly::lossy::Lossy;

@@ -1,5 +1,24 @@
 //! The string reduced to the surface and the sites (Eqs. 41–48): surface
 //! rotation speed and external torques in, rotation speeds at the sites out.
+//!
+//! A uniform string that nothing damps answers a torque at the bit with i tan(ωL/c)/Z, with Z its
+//! impedance:
+//!
+//! ```
+//! use linear::estimates::{torsional_impedance, torsional_travel_time};
+//! use linear::waves::network::TorsionNetwork;
+//! use linear::{Complex64, Drillstring, Material, Section, Sites, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.0)?;
+//! let frequency = 1.3;
+//! let found = TorsionNetwork::new(&string, &Sites::bit())?.at_frequency(frequency);
+//! let phase = std::f64::consts::TAU * frequency * torsional_travel_time(&string);
+//! let expected = Complex64::new(0.0, phase.tan() / torsional_impedance(&string, &pipe));
+//! assert!((found.from_torque[(0, 0)] - expected).norm() < 1e-9 * expected.norm());
+//! # Ok::<(), linear::DrillstringError>(())
+//! ```
 
 use num_complex::Complex64;
 

@@ -15,6 +15,23 @@ const WORST: (f64, f64) = (0.218_1, 2.082);
 const LONGER: f64 = 0.8;
 
 /// A string that hangs in its well, piece by short piece.
+///
+/// Under a weight on bit a vertical string is pulled above its neutral point and pushed below.
+///
+/// ```
+/// use linear::well::HangingString;
+/// use linear::{Bending, Drillstring, Material, Section, Tube};
+///
+/// let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+/// let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.06 };
+/// let string = Drillstring::new(steel, vec![Section { repeat: 100, parts: vec![pipe] }], 0.0)?;
+/// let hanging = HangingString::new(&string, None, None);
+/// let bending = Bending { youngs_modulus: 210e9, damping: 0.0, compression: 0.0 };
+/// let pieces = hanging.axial_force(&bending, 0.25 * hanging.weight(), 0.01);
+/// let pulled: f64 = pieces.iter().filter(|it| it.tension > 0.0).map(|it| it.length).sum();
+/// assert!((pulled - 750.0).abs() < 20.0);
+/// # Ok::<(), linear::DrillstringError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct HangingString {
     pieces: Vec<Piece>,

@@ -12,6 +12,7 @@ use crate::surroundings::Mud;
 
 /// What is taken to press a string against its well.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PressedBy {
     /// Its weight across the well, and its tension where that turns.
     WeightAndTension,

@@ -23,6 +23,7 @@ pub struct Station {
 
 /// Why stations are no survey. Stations are counted from 0.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SurveyError {
     /// There are not two.
     #[error("a survey has at least two stations")]
@@ -42,6 +43,21 @@ pub enum SurveyError {
 }
 
 /// The course of a well.
+///
+/// ```
+/// use linear::well::{Station, Survey};
+///
+/// let station = |measured_depth: f64, degrees: f64| Station {
+///     measured_depth,
+///     inclination: degrees.to_radians(),
+///     azimuth: 0.0,
+/// };
+/// let survey = Survey::new(vec![station(0.0, 0.0), station(500.0, 0.0), station(1400.0, 90.0)])?;
+/// // An arc builds evenly: 3° per 30 m.
+/// assert!((survey.inclination(950.0).to_degrees() - 45.0).abs() < 1e-9);
+/// assert!((survey.turn_rate(950.0) * 30.0 - 3f64.to_radians()).abs() < 1e-12);
+/// # Ok::<(), linear::well::SurveyError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Survey {
     stations: Vec<Station>,

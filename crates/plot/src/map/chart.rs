@@ -41,6 +41,37 @@ const LEAST_WIDTH: f64 = 300.0;
 ///
 /// The axes span the cells, the points and the marks; a chart without points spans
 /// its lines and marks, an empty one 0 to 1.
+///
+/// A map of four cases with a line between its regimes, as SVG.
+///
+/// ```
+/// use plot::{Axis, CellFill, Look, Series, Symbol};
+/// use plot::{MapChart, MapGroup, MapPanel, MapPoint, map_chart};
+///
+/// let point = |at: (f64, f64)| MapPoint {
+///     at,
+///     symbol: if at.1 < 60.0 { Symbol::Circle } else { Symbol::Cross },
+/// };
+/// let panel = MapPanel {
+///     points: [(40.0, 30.0), (80.0, 30.0), (40.0, 90.0), (80.0, 90.0)].map(point).to_vec(),
+///     lines: vec![Series::new("Eq. 74", vec![(40.0, 50.0), (80.0, 70.0)])],
+///     ..MapPanel::default()
+/// };
+/// let keys = [(Symbol::Circle, "stick-slip"), (Symbol::Cross, "smooth")];
+/// let group = MapGroup {
+///     keys: keys.map(|(symbol, words)| (CellFill::Symbol(symbol), words.to_owned())).to_vec(),
+///     panels: vec![panel],
+///     ..MapGroup::default()
+/// };
+/// let chart = MapChart {
+///     title: "Where the bit sticks".to_owned(),
+///     axes: ["Weight on bit (kN)", "Surface speed (rpm)"].map(Axis::linear),
+///     marks: Vec::new(),
+///     groups: vec![group],
+/// };
+/// let svg = map_chart(&Look::default(), &chart).svg();
+/// assert!(["Where the bit sticks", "stick-slip", "Eq. 74"].iter().all(|text| svg.contains(text)));
+/// ```
 pub fn map_chart(look: &Look, chart: &MapChart) -> Picture {
     match &chart.groups[..] {
         [group] if group.panels.len() == 1 && !is_narrow(look.width(WIDTH_ALONE)) => {

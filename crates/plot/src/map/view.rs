@@ -31,6 +31,24 @@ impl MapAxis {
 }
 
 /// The axes of a chart, as its picture has them, each with about `most` numbers.
+///
+/// ```
+/// use plot::{Axis, MapChart, MapGroup, MapPanel, MapPoint, Symbol, map_axes};
+///
+/// let points = [(40.0, 1.0), (80.0, 100.0)].map(|at| MapPoint { at, symbol: Symbol::Cross });
+/// let panel = MapPanel { points: points.to_vec(), ..MapPanel::default() };
+/// let chart = MapChart {
+///     title: String::new(),
+///     axes: [Axis::linear("Weight on bit (kN)"), Axis::logarithmic("Surface speed (rpm)")],
+///     marks: Vec::new(),
+///     groups: vec![MapGroup { panels: vec![panel], ..MapGroup::default() }],
+/// };
+/// let [weight, speed] = map_axes(&chart, 5);
+/// assert!(weight.ends()[0] <= 40.0 && weight.ends()[1] >= 80.0);
+/// // On a logarithmic axis 10 is as far from 1 as 100 is from 10.
+/// let [one, ten, hundred] = [1.0, 10.0, 100.0].map(|it| speed.fraction(it).unwrap_or(f64::NAN));
+/// assert!((2.0 * ten - one - hundred).abs() < 1e-9);
+/// ```
 pub fn map_axes(chart: &MapChart, most: usize) -> [MapAxis; 2] {
     let scales = scales(chart, [None; 2]);
     [0, 1].map(|axis| {

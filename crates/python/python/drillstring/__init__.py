@@ -15,6 +15,7 @@ from ._drillstring import (
     Responses,
     Simulation,
     SweepFileError,
+    __version__,
 )
 from ._parts import (
     Bending,
@@ -28,14 +29,17 @@ from ._parts import (
     Tube,
     Wall,
 )
-from ._results import Analysis, Window, analyse
-from ._sweep import Sweep, Table
+from ._results import Analysis, Results, Window, analyse
+from ._sweep import Sweep
+from ._table import About, Curve, Table
 
 __all__ = [
+    "About",
     "Analysis",
     "Approach",
     "Bending",
     "BitTorque",
+    "Curve",
     "Drillstring",
     "DrillstringError",
     "DrillstringWarning",
@@ -46,6 +50,7 @@ __all__ = [
     "Motion",
     "Outcome",
     "Responses",
+    "Results",
     "Section",
     "Simulation",
     "Sweep",
@@ -56,5 +61,6 @@ __all__ = [
     "Tube",
     "Wall",
     "Window",
+    "__version__",
     "analyse",
 ]

@@ -1,18 +1,63 @@
-"""What results folders say: how often each regime occurs, and where none is near."""
+"""Results folders: what is in them, how often each regime occurs, and where none is near."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
+from dataclasses import dataclass
 from os import PathLike, fspath
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from numpy.typing import NDArray
 
-from ._drillstring import _analyse
+from ._drillstring import _analyse, _read_results
+from ._table import About, Curve, Table
 
-__all__ = ["Analysis", "Folders", "Window", "analyse", "paths"]
+__all__ = ["Analysis", "Folders", "Results", "Window", "analyse", "paths"]
 
 Folders = str | PathLike[str] | Sequence[str | PathLike[str]]
+
+
+@dataclass(frozen=True)
+class Results:
+    """A results folder: of a run, a part of one, several merged, or one that is not finished."""
+
+    folder: Path
+    table: Table
+    """The rows of ``labels.csv``, of the same types as `Sweep.run` gives them."""
+    boundary: dict[str, NDArray[Any]]
+    """The columns of ``boundary.csv``; no rows where the run is not finished."""
+    failures: dict[str, NDArray[Any]]
+    """The columns of ``failures.csv``: cases without an answer, each with its reason and the
+    command that repeats it."""
+    manifest: dict[str, Any]
+    """What was run: ``manifest.json``."""
+    so_far: tuple[int, int | None] | None
+    """Of a run that is not finished, simulations done, and in all where that is known."""
+
+    @classmethod
+    def read(cls, folder: str | PathLike[str], *, memory: str | None = None) -> Results:
+        """Read a results folder that ``sweep run`` or ``sweep merge`` wrote, of this version or an
+        earlier one.
+
+        Its tables are held to the checksums of its manifest. Cases that a run that is not finished
+        has not answered by every method are left out.
+        """
+        found = _read_results(folder, memory)
+        curves = [Curve(**curve) for curve in found["curves"]]
+        return cls(
+            folder=Path(folder),
+            table=Table(found["labels"], About.of(found["about"]), curves),
+            boundary=found["boundary"],
+            failures=found["failures"],
+            manifest=json.loads(found["manifest"]),
+            so_far=found["so_far"],
+        )
+
+    def __repr__(self) -> str:
+        about = self.table.about
+        return f"<Results in {self.folder}: {self.table.rows} rows by {', '.join(about.methods)}>"
 
 
 class Analysis(NamedTuple):

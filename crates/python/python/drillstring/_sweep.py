@@ -1,4 +1,4 @@
-"""Sweeps, and the table of what a run answers."""
+"""Sweeps: what a file says, and its run."""
 
 from __future__ import annotations
 
@@ -10,28 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._drillstring import Drillstring, Responses, Simulation
+from ._drillstring import _TEMPLATE, Drillstring, DrillstringError, Responses, Simulation
 from ._drillstring import Sweep as _Sweep
 from ._results import Folders, Window, paths
+from ._table import About, Curve, Table
 
-__all__ = ["Sweep", "Table"]
-
-
-class Table(dict[str, "np.ndarray[Any, Any]"]):
-    """Columns by name, those of ``labels.csv`` in its order: an array each, a row for each case
-    and method.
-
-    ``pandas.DataFrame(table)`` and ``polars.DataFrame(table)`` take it as it is. Words that a row
-    lacks are ``None``, numbers not a number.
-    """
-
-    @property
-    def rows(self) -> int:
-        """Number of rows."""
-        return len(self["case"])
-
-    def __repr__(self) -> str:
-        return f"<Table of {self.rows} rows: {', '.join(self)}>"
+__all__ = ["Sweep"]
 
 
 class Sweep:
@@ -41,7 +25,7 @@ class Sweep:
     _sweep: _Sweep
 
     def __init__(self) -> None:
-        raise TypeError("use Sweep.read, Sweep.from_toml or Sweep.from_dict")
+        raise TypeError("use Sweep.read, Sweep.new, Sweep.from_toml or Sweep.from_dict")
 
     @classmethod
     def _of(cls, sweep: _Sweep) -> Sweep:
@@ -53,6 +37,19 @@ class Sweep:
     def read(cls, path: str | PathLike[str], *, methods: Sequence[str] | None = None) -> Sweep:
         """Read a sweep file, with these methods instead of the file's."""
         return cls._of(_Sweep.read(path, methods=methods))
+
+    @classmethod
+    def new(cls, path: str | PathLike[str], *, force: bool = False) -> Sweep:
+        """Write a commented sweep file to start from, as ``sweep new`` does, and read it. One that is
+        there is written over where ``force`` says so."""
+        try:
+            with open(path, "w" if force else "x", encoding="utf-8") as file:
+                file.write(_TEMPLATE)
+        except FileExistsError:
+            raise DrillstringError(
+                f"{path} is there already: give another name, or force=True to write over it"
+            ) from None
+        return cls.read(path)
 
     @classmethod
     def from_toml(
@@ -224,15 +221,17 @@ class Sweep:
         ``progress`` is called ten times a second with the number of simulations done and their total.
         Ctrl-C and what it raises end the run.
         """
-        return Table(
-            self._sweep._run(
-                threads=threads,
-                progress=progress,
-                full=full,
-                allow_unstable=allow_unstable,
-                memory=memory,
-            )
+        columns = self._sweep._run(
+            threads=threads,
+            progress=progress,
+            full=full,
+            allow_unstable=allow_unstable,
+            memory=memory,
         )
+        return Table(columns, About.of(self._sweep._about()), self._curves)
+
+    def _curves(self) -> list[Curve]:
+        return [Curve(**curve) for curve in self._sweep._limit_curves()]
 
 
 def _given(table: dict[str, Any]) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 //! The blocks of cases of a sensitivity design as a run has answered them, read one by one.
 
 use anyhow::Result;
+use serde::Serialize;
 use sim::{Label, Motion};
 
 use super::indices::{Block, Blocks};
@@ -54,7 +55,7 @@ impl Quantity {
 }
 
 /// The blocks of one method.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MethodBlocks {
     /// Its name.
     pub method: String,
@@ -65,6 +66,7 @@ pub struct MethodBlocks {
     /// Blocks that the run has begun and not finished.
     pub unfinished: usize,
     /// Of each quantity, those of the whole blocks that have it in every case.
+    #[serde(skip)]
     pub quantities: Vec<(Quantity, Blocks)>,
 }
 

@@ -149,11 +149,7 @@ impl Counts {
     }
 
     fn add(&mut self, method: usize, label: Label, cell: usize) {
-        let motion = match label.motion() {
-            Motion::Torsion => 0,
-            Motion::Lateral => 1,
-        };
-        let (_, _, group) = &mut self.groups[Motion::ALL.len() * method + motion];
+        let (_, _, group) = &mut self.groups[Motion::ALL.len() * method + label.motion() as usize];
         group.all[cell] += 1;
         let cells = group.all.len();
         group.labels.entry(label).or_insert_with(|| vec![0; cells])[cell] += 1;

@@ -14,6 +14,12 @@ pub struct Interval {
     pub high: f64,
 }
 
+/// How many more cases than there are it takes for an interval no wider than `width`, if the
+/// fraction stays what it is.
+pub fn more_cases(fraction: f64, of: usize, width: f64) -> usize {
+    cases_for(fraction, width).saturating_sub(of)
+}
+
 /// The fraction of a count of all, with the interval of E. B. Wilson (*Journal of the American
 /// Statistical Association* 22, 1927, 209–212), which holds near 0 and 1 and for few, too; without
 /// cases there is no fraction.
@@ -35,7 +41,7 @@ fn around(fraction: f64, of: f64) -> [f64; 2] {
 }
 
 /// How many cases it takes for an interval no wider than `width`, if the fraction stays what it is.
-pub fn cases_for(fraction: f64, width: f64) -> usize {
+fn cases_for(fraction: f64, width: f64) -> usize {
     let is_enough = |of: usize| {
         let [low, high] = around(fraction, of as f64);
         high - low <= width

@@ -1,9 +1,10 @@
 //! Only one command at a time writes into a folder.
 
-use std::fs::{File, TryLockError};
+use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use fs4::{FileExt, TryLockError};
 use thiserror::Error;
 
 use super::regular::refuse_irregular;
@@ -15,6 +16,7 @@ pub(super) const NAME: &str = ".sweep-lock";
 /// A folder that is kept from other commands.
 #[derive(Debug)]
 pub struct FolderLock {
+    #[cfg(unix)]
     path: PathBuf,
     /// The lock goes with it.
     _file: File,
@@ -47,7 +49,7 @@ impl FolderLock {
                 .create(true)
                 .truncate(false)
                 .open(&path)?;
-            let unsupported = match file.try_lock() {
+            let unsupported = match FileExt::try_lock(&file) {
                 Ok(()) => None,
                 Err(TryLockError::WouldBlock) => return Err(LockError::Taken),
                 Err(TryLockError::Error(error)) => Some(error),
@@ -55,6 +57,7 @@ impl FolderLock {
             // Its last holder may have removed it after it was opened here.
             if is_at(&file, &path)? {
                 return Ok(Self {
+                    #[cfg(unix)]
                     path,
                     _file: file,
                     unsupported,

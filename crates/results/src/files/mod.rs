@@ -1,5 +1,23 @@
 //! Files that are there whole or not at all, known again by their checksums, in
 //! folders that one command at a time writes.
+//!
+//! ```
+//! use results::files::{AtomicFile, Checksum, FolderLock, LockError, write_with_checksum};
+//!
+//! let folder = tempfile::tempdir()?;
+//! let _lock = FolderLock::take(folder.path())?;
+//! assert!(matches!(FolderLock::take(folder.path()), Err(LockError::Taken)));
+//!
+//! let path = folder.path().join("labels.csv");
+//! let written = write_with_checksum(&path, b"case,torsion\n0,smooth\n")?;
+//! assert_eq!(Checksum::of_file(&path)?, written);
+//! // What is not finished leaves the file as it was.
+//! let mut unfinished = AtomicFile::create(&path)?;
+//! unfinished.write(b"case,")?;
+//! drop(unfinished);
+//! assert_eq!(Checksum::of_file(&path)?, written);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod checksum;
 mod destination;

@@ -5,6 +5,7 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use fs4::FileExt;
 use tempfile::{Builder, NamedTempFile};
 
 use super::lock;
@@ -18,7 +19,7 @@ pub(super) fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     loop {
         let file = readable(Builder::new().prefix(PREFIX)).tempfile_in(folder)?;
         // Where locks are not supported, no other run removes it either.
-        let _ = file.as_file().lock();
+        let _ = FileExt::lock(file.as_file());
         // Between these two, it may have looked as if it had no writer.
         if file.path().exists() {
             return Ok(file);
@@ -70,7 +71,7 @@ pub fn remove_left(folder: &Path) -> io::Result<()> {
         let Ok(file) = File::options().write(true).open(&path) else {
             continue;
         };
-        if file.try_lock().is_ok() {
+        if FileExt::try_lock(&file).is_ok() {
             let _ = fs::remove_file(&path);
         }
     }

@@ -4,10 +4,11 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use super::label_rows::{LabelRow, label_rows};
+use super::label_row::LabelRow;
+use super::label_rows::label_rows;
 use campaign::quantities::Axis;
 use campaign::records::Measure;
-use sim::Motion;
+use sim::{Label, Motion, TorsionRegime};
 
 /// The rows of one case.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +21,43 @@ pub struct CaseRows {
     pub rows: Vec<LabelRow>,
 }
 
+/// How many of the methods of a case find what of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FoundByMethods {
+    /// Sustained vibration.
+    pub sustained: usize,
+    /// That the start decides.
+    pub bistable: usize,
+    /// Methods.
+    pub methods: usize,
+}
+
+impl FoundByMethods {
+    /// Of the labels by each method; none where one has no answer, or one that tells nothing.
+    pub fn of(labels: impl Iterator<Item = Option<Label>>) -> Option<Self> {
+        let mut found = Self {
+            sustained: 0,
+            bistable: 0,
+            methods: 0,
+        };
+        for label in labels {
+            let label = label?;
+            found.sustained += usize::from(label.is_sustained()?);
+            found.bistable += usize::from(label == BISTABLE);
+            found.methods += 1;
+        }
+        Some(found)
+    }
+}
+
+const BISTABLE: Label = Label::Torsion(TorsionRegime::Bistable);
+
 impl CaseRows {
+    /// What its methods find of a motion; none where one has no answer, or one that tells nothing.
+    pub fn found(&self, motion: Motion) -> Option<FoundByMethods> {
+        FoundByMethods::of(self.rows.iter().map(|row| row.labels[motion]))
+    }
+
     /// Whether two methods that have an answer give different labels.
     pub fn differs(&self) -> bool {
         let rows = self.rows.iter().map(|row| row.labels);

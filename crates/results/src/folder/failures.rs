@@ -5,7 +5,7 @@ use anyhow::Result;
 
 use super::about::About;
 use super::manifest::Manifest;
-use campaign::words::shell_word;
+use campaign::words::file_word;
 
 /// The first line of `failures.csv`.
 pub const FAILURES_HEADER: &str = "case,method,reason,repeat_with";
@@ -25,7 +25,7 @@ pub fn repeat_command(about: &About, case: usize, method: &str) -> String {
     let Manifest {
         accuracy, options, ..
     } = &about.manifest;
-    let file = shell_word(&about.sweep_file);
+    let file = file_word(&about.sweep_file);
     let mut command = format!("sweep simulate {file} --case {case}");
     // The accuracy chooses the method, the same again.
     if accuracy.is_none() {

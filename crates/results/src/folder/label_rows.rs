@@ -5,62 +5,16 @@ use std::path::Path;
 use anyhow::{Context, Result, anyhow};
 use sim::{Label, Labels, Motion, PerMotion};
 
-use campaign::records::{Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, Measure, ResultColumn};
+use super::label_row::LabelRow;
+use super::recorded_rows::RecordedRows;
+use campaign::records::{
+    Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, Measure, OLD_PREDICTED, ResultColumn,
+};
 
 use campaign::quantities::Axis;
 use campaign::sweep_file::nearest;
 use campaign::tables::hand_table::{HandTable, Mistake, NumberError, number};
 use campaign::text_file::{LARGEST_TABLE, read_text, unreadable};
-
-/// What is read back of a row: enough to draw it or to run it again.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LabelRow {
-    /// Line of the file.
-    pub line: usize,
-    /// Number of the case.
-    pub case: usize,
-    /// Name of the method.
-    pub method: String,
-    /// Values along the given axes.
-    pub values: Vec<f64>,
-    /// The labels.
-    pub labels: Labels,
-    /// The label predicted when motion settled, where it was followed to the end.
-    pub predicted: Option<Label>,
-    /// How far it is from each recording.
-    pub misfits: Vec<Option<f64>>,
-    /// Each of the measures asked for, where it has it.
-    pub measures: Vec<Option<f64>>,
-    /// Which of the labels are certain, where the table has it.
-    pub certainty: Certainty,
-    /// How many sites were found and in how many rounds, where they were looked for.
-    pub found: Option<[usize; 2]>,
-    /// Whether the case failed.
-    pub failed: bool,
-}
-
-impl LabelRow {
-    /// A row that holds no more than the label of a case in torsion, as tests have; without a
-    /// `regime` it has no answer.
-    pub fn example(method: &str, regime: &str) -> Self {
-        Self {
-            line: 0,
-            case: 0,
-            method: method.to_owned(),
-            values: Vec::new(),
-            labels: Labels::from_fn(|_| Label::of_name(regime)),
-            predicted: None,
-            misfits: Vec::new(),
-            measures: Vec::new(),
-            certainty: Certainty::default(),
-            found: None,
-            failed: false,
-        }
-    }
-}
-
-/// What columns of misfits begin with.
-const MISFIT: &str = "misfit_";
 
 /// The columns of a `labels.csv` that say how far its cases are from what was recorded.
 ///
@@ -91,6 +45,7 @@ pub struct LabelColumns {
 
 /// What is wrong with a row of labels, or with the names of its columns.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum LabelError {
     /// A column is missing.
     #[error("has no column `{0}`")]
@@ -160,8 +115,7 @@ impl LabelColumns {
                 .map(|&axis| column(&axis.name()).map(|place| (axis, place)))
                 .collect::<Result<_, _>>()?,
             labels: of_motions(ResultColumn::label_of)?,
-            // As version 0.1.0 called it.
-            predicted: place("predicted")?.or(place("foretold")?),
+            predicted: place("predicted")?.or(place(OLD_PREDICTED)?),
             misfits: (header.clone().enumerate())
                 .filter(|(_, name)| name.starts_with(MISFIT))
                 .map(|(place, _)| place)
@@ -274,8 +228,9 @@ fn rows_of(table: &HandTable, axes: &[Axis]) -> Result<Vec<LabelRow>, Mistake> {
     rows.collect()
 }
 
-/// The rows of a `labels.csv` of which the values along `axes` and some measures are wanted;
-/// only one is in memory at a time.
+/// The rows of a `labels.csv` of which the values along `axes` and some measures are wanted: from
+/// the records of its folder, where that keeps them, and from its text where not. Only the rows of a
+/// case are in memory at a time.
 ///
 /// # Errors
 /// Where it cannot be read or lacks a column; the message names file and line.
@@ -283,16 +238,22 @@ pub fn label_rows(
     path: &Path,
     axes: &[Axis],
     measures: &[Measure],
-) -> Result<impl Iterator<Item = Result<LabelRow>> + use<>> {
+) -> Result<Box<dyn Iterator<Item = Result<LabelRow>>>> {
     let name = path.display().to_string();
     let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
     let header = reader.headers().with_context(|| unreadable(path))?;
     let columns = LabelColumns::find(header.iter(), axes, measures);
     let columns = columns.map_err(|reason| anyhow!("{name}:1: {reason}"))?;
-    Ok(reader.into_records().map(move |record| {
+    let wanted = (axes, measures);
+    if let Some(folder) = path.parent() {
+        if let Some(rows) = RecordedRows::of(folder, wanted, columns.misfits.len()) {
+            return Ok(Box::new(rows.read(folder)?));
+        }
+    }
+    Ok(Box::new(reader.into_records().map(move |record| {
         let record = record.with_context(|| unreadable(Path::new(&name)))?;
         let line = record.position().map_or(0, csv::Position::line) as usize;
         let row = columns.row(line, |column| record.get(column));
         row.map_err(|reason| anyhow!("{name}:{line}: {reason}"))
-    }))
+    })))
 }

@@ -273,6 +273,7 @@ fn fingerprint_of(
     options: RunOptions,
 ) -> Result<serde_json::Value> {
     let mut content = content.clone();
+    content.name = None;
     content.title = None;
     content.units = Default::default();
     content.map = Default::default();

@@ -8,6 +8,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
+use serde::Serialize;
 use tempfile::TempDir;
 
 use super::about::About;
@@ -30,7 +31,7 @@ pub struct ResultTables {
 }
 
 /// How far a run is that is not finished.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct SoFar {
     /// Simulations done.
     pub done: usize,

@@ -148,9 +148,10 @@ impl LogView {
             let mut scan = Scan::between(&self.file, from, to).map_err(unreadable)?;
             loop {
                 lines.clear();
-                while lines.len() < LINES_AT_ONCE
-                    && let Some(line) = scan.next_line().map_err(unreadable)?
-                {
+                while lines.len() < LINES_AT_ONCE {
+                    let Some(line) = scan.next_line().map_err(unreadable)? else {
+                        break;
+                    };
                     lines.push(line.text.to_vec());
                 }
                 if lines.is_empty() {

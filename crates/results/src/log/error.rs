@@ -10,6 +10,7 @@ pub(super) const FORMAT: u64 = 3;
 
 /// A log that cannot be used.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum LogError {
     /// It has no header of this program.
     #[error(

@@ -8,6 +8,24 @@
 //! whole, or not as it was meant, does not match its checksum and counts as not
 //! there. The file itself appears with its whole header: a file without one is foreign, and is left
 //! alone.
+//!
+//! ```
+//! use campaign::engine::Shard;
+//! use campaign::records::{Failure, Record};
+//! use results::log::{Header, Log, read_header};
+//!
+//! let folder = tempfile::tempdir()?;
+//! let path = folder.path().join("cases.log");
+//! let header = Header::new("example 1.0".to_owned(), Shard::WHOLE, "what is run".into());
+//! Log::begin(&path, &header)?;
+//! Log::open(&path, 10, 1)?.append(&Record::failed(3, 0, vec![60.0], Failure::new("too long")))?;
+//! // A run that continues finds what is done.
+//! assert_eq!(read_header(&path)?, Some(header));
+//! let log = Log::open(&path, 10, 1)?;
+//! let is_done = log.done();
+//! assert!(is_done(3, 0) && !is_done(4, 0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod about;
 mod content;

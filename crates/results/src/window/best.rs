@@ -1,5 +1,8 @@
 //! The best point of a chart, by a rule.
 
+use serde::Serialize;
+
+use super::by_axis::by_axis;
 use super::chart::Chart;
 use super::standing::Standing;
 
@@ -10,9 +13,10 @@ const HALVINGS: usize = 20;
 const NEXT_TO: f64 = 1.2;
 
 /// A point of a safe region.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Best {
     /// Weight on bit, kN, and surface speed, rpm.
+    #[serde(flatten, serialize_with = "by_axis")]
     pub at: [f64; 2],
     /// The part of either axis by which it may be off without meeting a limit.
     pub clearance: f64,
@@ -21,11 +25,12 @@ pub struct Best {
     /// Whether that is as much as was asked for; else it is the safe point that has most.
     pub is_as_asked: bool,
     /// How far it is to a limit, by axis, downwards and upwards.
+    #[serde(serialize_with = "by_axis")]
     pub room: [[Room; 2]; 2],
 }
 
 /// How far it is from a point in one direction.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Room {
     /// How far, in the unit of the axis.
     pub distance: f64,

@@ -1,5 +1,7 @@
 //! Limits over one another, cell by cell.
 
+use serde::Serialize;
+
 use super::standing::Standing;
 use campaign::records::{Field, Kind};
 
@@ -39,15 +41,17 @@ pub enum Drawn {
 }
 
 /// A limit on a chart.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Limit {
     /// Its name in a legend.
     pub name: String,
     /// What it is and how sure, in words.
     pub description: String,
     /// How it is drawn.
+    #[serde(skip)]
     pub drawn: Drawn,
     /// How each cell stands to it.
+    #[serde(skip)]
     pub standings: Vec<Standing>,
 }
 

@@ -1,14 +1,19 @@
 //! Where no limit is near, region by region.
 
+use serde::Serialize;
+
+use super::by_axis::by_axis;
 use super::chart::Chart;
 use super::standing::Standing;
 
 /// Cells that touch along a side.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Region {
     /// Their numbers, in ascending order.
+    #[serde(skip)]
     pub cells: Vec<usize>,
     /// From the least to the greatest weight (kN), and the same of the speed (rpm).
+    #[serde(flatten, serialize_with = "by_axis")]
     pub ends: [[f64; 2]; 2],
     /// The part of the map that they are.
     pub share: f64,

@@ -1,5 +1,7 @@
 //! What a limit says of a stretch of the map.
 
+use serde::{Serialize, Serializer};
+
 /// How a stretch of the map stands to a limit, from harmless to unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Standing {
@@ -16,6 +18,15 @@ pub enum Standing {
 }
 
 impl Standing {
+    /// Every one, from harmless to unknown.
+    pub const ALL: [Self; 5] = [
+        Standing::Clear,
+        Standing::Possible,
+        Standing::Near,
+        Standing::Against,
+        Standing::Undetermined,
+    ];
+
     /// Its name in `window.csv`.
     pub fn key(self) -> &'static str {
         match self {
@@ -36,6 +47,13 @@ impl Standing {
         } else {
             Standing::Near
         }
+    }
+}
+
+/// By its name in `window.csv`.
+impl Serialize for Standing {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.key())
     }
 }
 

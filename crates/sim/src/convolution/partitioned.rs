@@ -108,7 +108,7 @@ impl<'a> Convolution<'a> {
             kernels.arch.dispatch(AddPresent { past: self, inputs });
         }
         self.steps += 1;
-        if self.steps.is_multiple_of(FIRST_BLOCK) {
+        if self.steps % FIRST_BLOCK == 0 {
             self.end_block();
         }
     }
@@ -144,7 +144,7 @@ impl<'a> Convolution<'a> {
     /// them for every plane and site: the whole sums, as long as nothing is added
     /// within.
     pub(crate) fn next_block(&self) -> Option<&[f64]> {
-        let begins = self.steps.is_multiple_of(FIRST_BLOCK);
+        let begins = self.steps % FIRST_BLOCK == 0;
         begins.then_some(self.past.known.as_slice())
     }
 
@@ -166,7 +166,7 @@ impl<'a> Convolution<'a> {
     /// Computes what is known of the next block.
     fn end_block(&mut self) {
         let level = (self.kernels.levels.iter())
-            .rposition(|level| self.steps.is_multiple_of(level.block))
+            .rposition(|level| self.steps % level.block == 0)
             .unwrap_or(0);
         for lower in &mut self.past.levels[..level] {
             lower.blocks = 0;

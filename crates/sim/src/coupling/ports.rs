@@ -192,12 +192,12 @@ impl<'a> Coupling<'a> {
             }
         };
         for (other, load) in self.loads.others_than(port) {
-            if let Some((walled, wall)) = wall
-                && let Some(other) = walled.walls.at(other)
-            {
-                let compliance = walled.bending.instant(wall, other);
-                for (position, force) in position.iter_mut().zip(load.force) {
-                    *position += compliance * force;
+            if let Some((walled, wall)) = wall {
+                if let Some(other) = walled.walls.at(other) {
+                    let compliance = walled.bending.instant(wall, other);
+                    for (position, force) in position.iter_mut().zip(load.force) {
+                        *position += compliance * force;
+                    }
                 }
             }
             if let Within::All(torsion) = self.within {

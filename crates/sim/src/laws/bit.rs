@@ -1,6 +1,22 @@
 //! Torque between bit and rock: stuck up to T_s, sliding against T_d
 //! (Sections 2.2.2 and 4.2), met by the load line of Eq. 16. Between the two the torque may
 //! fall with the speed, T_d + (T_s − T_d) e^(−ω/ω_c) (`friction_curve.rs`), instead of at once.
+//!
+//! ```
+//! use sim::laws::torque::BitMotion;
+//! use sim::{BitTorque, LoadLine, TorqueLaw};
+//!
+//! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0, decay_speed: 0.5 };
+//! assert_eq!(bit.torque_at(0.0), 1200.0);
+//! assert!((bit.torque_at(0.5) - (1000.0 + 200.0 / std::f64::consts::E)).abs() < 1e-9);
+//! // The rock holds a stuck bit with just what keeps it where it is, up to T_s.
+//! let line = |free_speed: f64| LoadLine { time: 0.0, free_speed, compliance: 0.01 };
+//! let held = bit.meet(&BitMotion::Stuck, line(11.9));
+//! assert_eq!((held.speed, held.torque.round()), (0.0, -1190.0));
+//! let slips = bit.meet(&BitMotion::Stuck, line(12.1));
+//! assert_eq!(slips.state, BitMotion::Forward);
+//! assert!((slips.torque + bit.torque_at(slips.speed)).abs() < 1e-6);
+//! ```
 
 use super::friction_curve::{FrictionCurve, Shape};
 pub use super::torque::BitMotion;

@@ -1,4 +1,53 @@
 //! Contact with a wall: what a step brings to a site, and what a law answers.
+//!
+//! A user-defined wall, rigid and without friction:
+//!
+//! ```
+//! use sim::laws::contact::{Approach, Contact, ContactError, Spin, Touch};
+//! use sim::{Sampling, WallLaw};
+//!
+//! struct Rigid(f64);
+//!
+//! impl WallLaw for Rigid {
+//!     fn clearance(&self) -> f64 {
+//!         self.0
+//!     }
+//!
+//!     fn radius(&self) -> f64 {
+//!         0.1
+//!     }
+//!
+//!     fn meet(&self, approach: &Approach) -> Result<Contact, ContactError> {
+//!         let [x, y] = approach.free_position;
+//!         let distance = x.hypot(y);
+//!         if distance <= self.0 {
+//!             return Contact::free([x, y]);
+//!         }
+//!         let force = (distance - self.0) / approach.compliance;
+//!         Ok(Contact {
+//!             touch: Touch::Sliding,
+//!             position: [x, y].map(|it| it * self.0 / distance),
+//!             force: [x, y].map(|it| -it * force / distance),
+//!             normal_force: force,
+//!             ..Contact::NONE
+//!         })
+//!     }
+//! }
+//!
+//! let approach = |free_position: [f64; 2]| Approach {
+//!     free_position,
+//!     previous_position: [0.0; 2],
+//!     previous_sliding_speed: None,
+//!     compliance: 1e-7,
+//!     spin: Spin { free_speed: 6.0, compliance: 1e-3, resistance: None },
+//!     sampling: Sampling::new(1000.0, 0.0),
+//! };
+//! assert!(!Rigid(0.05).meet(&approach([0.03, 0.03]))?.touches());
+//! let contact = Rigid(0.05).meet(&approach([0.036, 0.048]))?;
+//! assert!((contact.normal_force - 0.01 / 1e-7).abs() < 1e-6);
+//! assert!((contact.position[0] - 0.03).abs() < 1e-12);
+//! # Ok::<(), ContactError>(())
+//! ```
 
 use std::fmt::Debug;
 
@@ -183,6 +232,7 @@ impl Contact {
 
 /// A step in contact without an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum ContactError {
     /// The position or the speed of the string would not be finite, or its square would not.
     #[error("the motion is not finite")]

@@ -133,11 +133,11 @@ impl<'a> ContactStep<'a> {
     #[inline]
     fn solve(&self) -> Result<Contact, ContactError> {
         let friction = self.wall.friction;
-        if self.approach.spin.resistance.is_none()
-            && let Some([direction, _]) = self.rolling_directions()
-            && let Some(rolling) = self.rolling_along(direction)
-        {
-            return self.contact(rolling, Touch::Rolling, false);
+        if self.approach.spin.resistance.is_none() {
+            let directions = self.rolling_directions();
+            if let Some(rolling) = directions.and_then(|[one, _]| self.rolling_along(one)) {
+                return self.contact(rolling, Touch::Rolling, false);
+            }
         }
         let forward = self.slides_forward_without_friction();
         let ratio = if forward { -friction } else { friction };

@@ -2,6 +2,19 @@
 //! against F_d + (F_s − F_d) e^(−(ω/ω_s)²) (`friction_curve.rs`), met by the load line as at
 //! the bit (Eq. 16). What turns much more slowly than ω_s rubs as what is stuck, so that a string
 //! breaks loose as a whole.
+//!
+//! ```
+//! use sim::laws::pipe::PipeMotion;
+//! use sim::{LoadLine, PipeFriction, TorqueLaw};
+//!
+//! let rubbing = PipeFriction { torque_static: 80.0, torque_dynamic: 50.0, stribeck_speed: 0.1 };
+//! let line = |free_speed: f64| LoadLine { time: 0.0, free_speed, compliance: 0.001 };
+//! let held = rubbing.meet(&PipeMotion::default(), line(0.079));
+//! assert_eq!(held.speed, 0.0);
+//! // What turns much faster than ω_s does so against F_d.
+//! let turning = rubbing.meet(&PipeMotion::default(), line(4.0));
+//! assert!((turning.torque + 50.0).abs() < 1e-9 && (turning.speed - 3.95).abs() < 1e-9);
+//! ```
 
 use super::friction_curve::{FrictionCurve, Shape};
 use super::torque::{BitMotion, LoadLine, TorqueLaw, TorqueStep};

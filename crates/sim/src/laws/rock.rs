@@ -5,6 +5,21 @@
 //! theory and experiment*, Int. J. Rock Mech. Min. Sci. 45 (2008) 1347–1360,
 //! piecewise linear in the scaled weight w = W/a and torque t = 2T/a² of a bit
 //! of radius a.
+//!
+//! ```
+//! use sim::Rock;
+//!
+//! let rock = Rock::sandstone();
+//! let torque = rock.torque_dynamic(80e3)?;
+//! assert!((rock.weight_on_bit(torque)? - 80e3).abs() < 1e-6);
+//! // Under the same weight it cuts deeper into shale, and that takes more torque.
+//! assert!(torque < Rock::shale().torque_dynamic(80e3)?);
+//!
+//! let measured = Rock::Table(vec![(0.0, 0.0), (50e3, 2000.0), (100e3, 5000.0)]);
+//! assert_eq!(measured.torque_dynamic(75e3)?, 3500.0);
+//! assert!(measured.torque_dynamic(120e3).is_err());
+//! # Ok::<(), sim::laws::rock::RockError>(())
+//! ```
 
 use thiserror::Error;
 
@@ -40,6 +55,7 @@ pub struct PoorCleaning {
 
 /// From weight on bit to the dynamic torque T_d.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Rock {
     /// By the cutting and contact parameters.
     Law(CuttingLaw),
@@ -50,6 +66,7 @@ pub enum Rock {
 
 /// A weight or torque that a rock gives no answer for.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
 pub enum RockError {
     /// No straight lines join the table.
     #[error("a rock's table needs two rows or more, and both columns must increase")]

@@ -1,5 +1,17 @@
 //! Torque between bit and rock as a table of the bit's speed: stuck up to T_s, turning at ω
 //! against T(ω), joined by straight lines from row to row and constant beyond the last.
+//!
+//! ```
+//! use sim::TabulatedFriction;
+//!
+//! // Dry friction that falls, and viscous friction that rises, have a valley between them.
+//! let torque = |speed: f64| 3000.0 + 900.0 * (-speed).exp() + 60.0 * speed;
+//! let law = TabulatedFriction::sampled(torque, 40.0, 400);
+//! assert_eq!(law.torque_static, 3900.0);
+//! let valley = 15f64.ln();
+//! assert!((law.torque_at(valley) - torque(valley)).abs() < 1.0);
+//! assert!(law.torque_at(valley) < law.torque_at(1.0).min(law.torque_at(6.0)));
+//! ```
 
 use super::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::ranges::{SceneError, in_order, not_negative};

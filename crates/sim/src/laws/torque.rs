@@ -1,4 +1,16 @@
 //! A torque at the bit: what a step leaves open, and what a law answers (Eqs. 16, 18).
+//!
+//! A function of the load line is a law: this one is viscous, T = −b ω.
+//!
+//! ```
+//! use sim::{LoadLine, TorqueLaw};
+//!
+//! let (viscous, compliance) = (30.0, 0.01);
+//! let law = |line: LoadLine| -viscous * line.free_speed / (1.0 + viscous * line.compliance);
+//! let step = law.meet(&(), LoadLine { time: 0.0, free_speed: 6.5, compliance });
+//! assert!((step.speed - 5.0).abs() < 1e-12);
+//! assert!((step.torque + viscous * step.speed).abs() < 1e-9);
+//! ```
 
 use std::fmt::Debug;
 

@@ -3,6 +3,36 @@
 //!
 //! Friction may fall with the speed v at which the surfaces slide, from μ_s to μ_d:
 //! μ_d + (μ_s − μ_d) e^(−(v/v_s)²) (`friction_curve.rs`).
+//!
+//! A wall without friction takes back what it yields to, F_N = k_c (r − c)^(3/2):
+//!
+//! ```
+//! use sim::laws::contact::{Approach, Spin, Touch};
+//! use sim::{Sampling, Wall, WallLaw};
+//!
+//! let wall = Wall {
+//!     clearance: 0.02,
+//!     stiffness: 1e9,
+//!     friction: 0.0,
+//!     dynamic_ratio: 1.0,
+//!     stribeck_speed: 0.0,
+//!     radius: 0.1,
+//! };
+//! let approach = |distance: f64| Approach {
+//!     free_position: [distance, 0.0],
+//!     previous_position: [0.02, 0.0],
+//!     previous_sliding_speed: None,
+//!     compliance: 1e-7,
+//!     spin: Spin { free_speed: 6.0, compliance: 1e-3, resistance: None },
+//!     sampling: Sampling::new(1000.0, 0.0),
+//! };
+//! assert_eq!(wall.meet(&approach(0.0199))?.touch, Touch::Free);
+//! let contact = wall.meet(&approach(0.021))?;
+//! let [radius, _] = contact.position;
+//! assert!((contact.normal_force / (1e9 * (radius - 0.02).powf(1.5)) - 1.0).abs() < 1e-6);
+//! assert!((radius + 1e-7 * contact.normal_force - 0.021).abs() < 1e-9);
+//! # Ok::<(), sim::laws::contact::ContactError>(())
+//! ```
 
 use super::friction_curve::{FrictionCurve, Shape};
 use crate::ranges::{SceneError, not_negative, part, positive};

@@ -98,9 +98,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
                 (end.ended, end.last) = (Ended::Certain, last - 1);
                 return Ok(end);
             }
-            if end.predicted.is_none()
-                && let Some(label) = self.settles()
-            {
+            if end.predicted.is_some() {
+                continue;
+            }
+            if let Some(label) = self.settles() {
                 if self.stopping == Stopping::Early {
                     self.take_as_settled(label);
                     (end.ended, end.last, end.settled) = (Ended::Settled, last - 1, true);

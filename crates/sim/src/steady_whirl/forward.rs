@@ -54,6 +54,7 @@ pub struct EccentricString<H> {
 
 /// The lowest speed at which forward whirl touches a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct LowestTouch {
     /// Surface speed, rad/s.
     pub surface_speed: f64,
@@ -63,6 +64,7 @@ pub struct LowestTouch {
 
 /// Steady forward whirl in contact at one site.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct ForwardWhirl {
     /// Radius at which each site goes round, m. The balance is of this site in contact alone:
     /// no other one may be beyond its clearance.

@@ -28,6 +28,7 @@ const ROUNDING: f64 = 1e-8;
 
 /// Steady forward whirl in contact at one site or several, all of which slide.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct ForwardContacts {
     /// Radius at which each site goes round, m.
     pub radii: Vec<f64>,

@@ -64,6 +64,7 @@ pub struct WhirlingSites<H> {
 /// The least friction that steady backward whirl needs, at any of several sites, alone or
 /// together.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct SitesWhirl {
     /// The surface speed from which on it is so, rad/s: at slower ones no site goes round as
     /// fast.

@@ -22,6 +22,34 @@
 //! [`WhirlingSites::least_together`] an upper one.
 //!
 //! An eccentric mass takes the string round with the rotation: [`EccentricString`].
+//!
+//! A mass on a spring with a damper, K = k − mω² + icω, that rolls round its hole:
+//!
+//! ```
+//! use sim::steady_whirl::WhirlingSite;
+//! use sim::Wall;
+//!
+//! let (mass, damping, stiffness) = (100.0, 100.0, 1e4);
+//! let site = WhirlingSite {
+//!     wall: Wall {
+//!         clearance: 0.02,
+//!         stiffness: 1e9,
+//!         friction: 0.2,
+//!         dynamic_ratio: 1.0,
+//!         stribeck_speed: 0.0,
+//!         radius: 0.1,
+//!     },
+//!     dynamic_stiffness: |rate: f64| [stiffness - mass * rate * rate, damping * rate],
+//!     decay_rate: 0.5 * damping / mass,
+//! };
+//! let whirls = site.rolling_at(6.0);
+//! assert_eq!(whirls.len(), 1);
+//! let rate = whirls[0].rate;
+//! // It rolls without sliding, ωr = ΩR₀, and friction makes up for what the damper takes.
+//! assert!((rate * whirls[0].radius / (6.0 * 0.1) - 1.0).abs() < 1e-9);
+//! let least_friction = damping * rate / (mass * rate * rate - stiffness);
+//! assert!((whirls[0].least_friction / least_friction - 1.0).abs() < 1e-9);
+//! ```
 
 mod balance;
 mod branches;

@@ -29,6 +29,7 @@ const NEAREST_RATE: f64 = 1e-6;
 
 /// Several sites in steady backward whirl, all of which slide, or just do.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct WhirlTogether {
     /// Rate of precession ω, against the rotation, rad/s.
     pub rate: f64,
@@ -40,6 +41,7 @@ pub struct WhirlTogether {
 
 /// A site that touches in steady backward whirl.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct WhirlContact {
     /// The site.
     pub site: usize,

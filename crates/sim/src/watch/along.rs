@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 /// Where the string was twisted most in all the time, whichever way: joints are made up to a
 /// torque.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct StringTorque {
     /// That torque, N m.
     pub peak_torque: f64,

@@ -1,5 +1,19 @@
 //! The lateral regime of a case and the measures behind it (Sections 5.2.2,
 //! 5.2.3 and 5.3).
+//!
+//! A case is labelled by the site that is in contact longest:
+//!
+//! ```
+//! use sim::{Label, LateralRegime, Motion};
+//!
+//! let labels = LateralRegime::ALL.map(LateralRegime::name);
+//! assert_eq!(labels, ["no_contact", "transient_contact", "backward_whirl", "forward_whirl"]);
+//! // A touch that does not last is no whirl.
+//! let is_whirl = |regime: LateralRegime| Label::Lateral(regime).is_sustained();
+//! assert_eq!(is_whirl(LateralRegime::TransientContact), Some(false));
+//! assert_eq!(is_whirl(LateralRegime::BackwardWhirl), Some(true));
+//! assert_eq!(Label::of_name("forward_whirl").map(Label::motion), Some(Motion::Lateral));
+//! ```
 
 use serde::{Deserialize, Serialize};
 
@@ -11,6 +25,7 @@ use crate::words::with_words;
 
 with_words! {
     /// How the string moved laterally.
+    #[non_exhaustive]
     pub enum LateralRegime {
         /// No site ever touched the wall.
         NoContact = "no_contact",
@@ -27,6 +42,7 @@ with_words! {
 /// What a person would ask of the lateral motion: of the site that decides the
 /// label, the one that is in contact longest in the closing window.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct LateralMeasures {
     /// The regime.
     pub regime: LateralRegime,

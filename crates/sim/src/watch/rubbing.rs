@@ -40,7 +40,7 @@ impl RubbingWatch {
     /// One step: the speeds of all ports, whether any of them is stuck, and what a watch of the
     /// bit has seen.
     pub(crate) fn see(&mut self, speeds: &[f64], is_any_stuck: bool, bit: &BitWatch) {
-        if self.step > 0 && self.step.is_multiple_of(self.half) {
+        if self.step > 0 && self.step % self.half == 0 {
             self.off = [0.0, self.off[0]];
         }
         self.step += 1;
@@ -69,7 +69,7 @@ impl RubbingWatch {
             return None;
         }
         let [last, before] = self.off;
-        let ends = self.step.is_multiple_of(self.half);
+        let ends = self.step % self.half == 0;
         if ends && last <= before && before <= self.tolerance() {
             return Some(TorsionRegime::Smooth);
         }

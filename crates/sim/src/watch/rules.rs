@@ -1,4 +1,14 @@
 //! When motion counts as a regime, and when a simulation may end before its time.
+//!
+//! Other rules than the usual ones differ in what they change:
+//!
+//! ```
+//! use sim::watch::rules::Rules;
+//!
+//! let strict = Rules { settling_tolerance: 1e-3, ..Rules::USUAL };
+//! assert_eq!(strict.repeated, Rules::USUAL.repeated);
+//! assert!(strict.settling_tolerance < Rules::USUAL.settling_tolerance);
+//! ```
 
 /// Cycles of stick-slip that have to agree for it to be settled.
 pub(crate) const AGREEING_CYCLES: usize = 3;

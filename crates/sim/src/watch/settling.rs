@@ -59,7 +59,7 @@ impl Settling {
             now.largest_ratio = now.largest_ratio.max(contact.friction_ratio.abs());
         }
         self.step += 1;
-        if !self.step.is_multiple_of(self.window) {
+        if self.step % self.window != 0 {
             return false;
         }
         std::mem::swap(&mut self.before, &mut self.last);

@@ -6,6 +6,7 @@ use crate::sampling::Sampling;
 
 /// Torque that turns the surface, of a top drive its motor's, N m.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct SurfaceMeasures {
     /// The greatest in all the time.
     pub peak_torque: f64,

@@ -1,4 +1,15 @@
 //! The torsional regime of a case and the measures behind it (Section 5.2.1).
+//!
+//! What may begin in either regime, and lasts in both, is bistable:
+//!
+//! ```
+//! use sim::{Label, TorsionRegime};
+//!
+//! let regime = TorsionRegime::from_two_starts(TorsionRegime::Smooth, TorsionRegime::StickSlip);
+//! assert_eq!(regime, TorsionRegime::Bistable);
+//! assert_eq!(Label::of_name("bistable"), Some(Label::Torsion(regime)));
+//! assert_eq!(Label::Torsion(regime).is_sustained(), Some(true));
+//! ```
 
 use linear::budget::REAL;
 use serde::{Deserialize, Serialize};
@@ -10,6 +21,7 @@ use crate::words::with_words;
 
 with_words! {
     /// How the bit turned.
+    #[non_exhaustive]
     pub enum TorsionRegime {
         /// Never slipped in the time simulated: undetermined.
         Stuck = "stuck",
@@ -37,6 +49,7 @@ impl TorsionRegime {
 
 /// What a person would ask of the bit's motion.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct TorsionMeasures {
     /// The regime.
     pub regime: TorsionRegime,
@@ -391,7 +404,7 @@ mod tests {
     fn swinging(step: usize) -> f64 {
         match step {
             0..60 => 9.0,
-            _ if step.is_multiple_of(2) => 1.5,
+            _ if step % 2 == 0 => 1.5,
             _ => 2.5,
         }
     }

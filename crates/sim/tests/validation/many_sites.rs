@@ -141,7 +141,7 @@ fn is_positive(mut matrix: Vec<f64>) -> bool {
 
 /// At no rate of a dense scan do forces press more than the reported friction allows: −Im H over
 /// that friction, less 1 %, outweighs −Re H. Two to five sites, and as many as eighty. `STRINGS=400
-/// cargo test --release -p sim --test validation dense` looks at more strings.
+/// cargo test --release -p drillstring-sim --test validation dense` looks at more strings.
 #[test]
 fn val_no_rate_of_a_dense_scan_needs_less_friction() {
     let strings = std::env::var("STRINGS").map_or(24, |count| count.parse().unwrap());
@@ -345,7 +345,7 @@ impl Shaken {
     }
 }
 
-/// `STRINGS=400 cargo test --release -p sim --test validation simulated -- --nocapture` prints
+/// `STRINGS=400 cargo test --release -p drillstring-sim --test validation simulated -- --nocapture` prints
 /// the figures of the guide; here are fewer strings.
 #[test]
 fn val_no_simulated_whirl_has_less_friction_than_it_needs() {

@@ -1,5 +1,5 @@
 //! What a tolerance for the number of pieces of friction along the string promises, and what it
-//! does not, on random strings in random wells. `STRINGS=240 cargo test --release -p sim --test
+//! does not, on random strings in random wells. `STRINGS=240 cargo test --release -p drillstring-sim --test
 //! pieces -- --nocapture` prints the figures of the guide; here are fewer strings.
 
 use linear::well::{PressedBy, QuasiStaticTwist, SideForce, least_pieces};

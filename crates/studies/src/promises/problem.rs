@@ -127,7 +127,7 @@ impl Problem {
         let mut draw = Draw::new(seed, FAMILY_STREAM + number as u64);
         let (round, shape) = (number / FAMILIES.len(), FAMILIES[number % FAMILIES.len()]);
         let (turn, surface) = (round / SURFACES.len(), SURFACES[round % SURFACES.len()]);
-        let sizes = if turn.is_multiple_of(2) { FIELD } else { WIDE };
+        let sizes = if turn % 2 == 0 { FIELD } else { WIDE };
         let (string, loss) = string(&mut draw, shape, &sizes, 6000.0)?;
         let (drive, inertia) = match surface {
             Surface::Prescribed => (None, 0.0),

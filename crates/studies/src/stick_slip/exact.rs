@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use anyhow::{Context, Result, ensure};
-use sim::{BitTorque, Start, torsion_timing};
+use sim::{BitTorque, torsion_timing};
 
 use crate::waveguide::{Friction, Waveguide};
 use campaign::accuracy::bisection::{Truth, bisected, geometric};
@@ -93,9 +93,9 @@ fn sticks_and_slips(sweep: &Sweep, places: f64, rpm: f64) -> Result<bool> {
         torque_dynamic: bit.torque_dynamic,
     };
     let guide = Waveguide::new(string, places, law);
-    let mut guide = match start {
-        Start::Rest => guide,
-        Start::Steady(_) => guide.wound_up(speed, BROKEN_LOOSE * bit.torque_static),
+    let mut guide = match start.steady() {
+        None => guide,
+        Some(_) => guide.wound_up(speed, BROKEN_LOOSE * bit.torque_static),
     };
     let count = (timing.duration / guide.step) as usize;
     let closing = count - (timing.closing_window / guide.step) as usize;

@@ -87,9 +87,7 @@ pub fn orders(rows: &[TradeoffRow], measure: Measure) -> Vec<Order> {
             })
             .collect();
         // What falls no further is another error than that of the step.
-        while let [.., before, last] = points[..]
-            && last.1 > 0.75 * before.1
-        {
+        while matches!(points[..], [.., before, last] if last.1 > 0.75 * before.1) {
             points.pop();
         }
         let fitted = &points[points.len().checked_sub(FITTED)?..];

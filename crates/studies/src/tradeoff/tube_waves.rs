@@ -153,7 +153,7 @@ impl UniformTube {
     /// The front with which a step begins, of those that come every other travel time.
     fn front_after_surface(&self, index: usize, steps_to_bit: usize) -> f64 {
         let travels = index / steps_to_bit;
-        if !index.is_multiple_of(steps_to_bit) || travels.is_multiple_of(2) {
+        if index % steps_to_bit != 0 || travels % 2 == 0 {
             return 0.0;
         }
         2.0 * sign(travels / 2) * (-self.decay * travels as f64 * self.travel).exp()
@@ -162,7 +162,7 @@ impl UniformTube {
 
 /// Echoes alternate.
 fn sign(index: usize) -> f64 {
-    if index.is_multiple_of(2) { 1.0 } else { -1.0 }
+    if index % 2 == 0 { 1.0 } else { -1.0 }
 }
 
 /// Differences from one to the next, from rest.

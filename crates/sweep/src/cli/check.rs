@@ -4,12 +4,14 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::values::sweep_file;
 use super::{MemoryArguments, OverwriteArguments};
 
 /// Arguments of `check`.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// The sweep file that gives the setting
+    /// The sweep file that gives the setting, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// Reference labels: columns case, method, the axes, torsion
     pub reference: PathBuf,
@@ -27,12 +29,26 @@ pub struct CheckArguments {
 pub struct CheckOutput {
     /// How to say which labels differ
     #[arg(long, value_name = "FORMAT", default_value = "human")]
-    pub format: CheckFormat,
+    format: CheckFormat,
+    /// The same as --format json
+    #[arg(long, conflicts_with = "format")]
+    json: bool,
     /// Write that to a file, and lines for people to standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub overwrite: OverwriteArguments,
+}
+
+impl CheckOutput {
+    /// The format that is asked for.
+    pub fn format(&self) -> CheckFormat {
+        if self.json {
+            CheckFormat::Json
+        } else {
+            self.format
+        }
+    }
 }
 
 /// Who reads what `check` says.
@@ -44,4 +60,6 @@ pub enum CheckFormat {
     Github,
     /// What shows tests: JUnit XML with a test for each label
     Junit,
+    /// Programs: one JSON document
+    Json,
 }

@@ -1,39 +1,46 @@
 //! The command line.
 
+mod analyse;
 mod check;
 mod export;
+mod inspect;
+mod pictures;
 mod reference;
+mod run;
+mod simulate;
 mod studies;
 mod values;
+mod window;
 
+pub use analyse::AnalyseArguments;
 pub use check::{CheckArguments, CheckFormat};
-pub use export::{ExportArguments, ExportFormat};
+pub use export::{ExportArguments, ExportFormat, ExportTable};
+pub use inspect::InspectArguments;
+pub use pictures::{PictureArguments, PictureFormat, PlotArguments, RangeArguments};
 pub use reference::ReferenceArguments;
+pub use run::{LogFormat, RunArguments};
+pub use simulate::{FilmArguments, SimulateArguments};
 pub use studies::{
     ContactsArguments, PromisesArguments, StabilityArguments, Study, TradeoffArguments,
 };
-pub use values::{AxesOfCells, AxisRange, Length, PictureFile};
+pub use values::PictureFile;
+pub use window::WindowArguments;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
-use sim::Label;
 
 use campaign::allotted::IgnoredSetting;
-use campaign::engine::{RunOptions, Shard};
 use campaign::memory::{Limit, Size};
-use campaign::quantities::Axis;
 use campaign::sweep_file::MethodName;
-use values::{
-    parse_axes, parse_length, parse_order, parse_part, parse_picture, parse_range, parse_regime,
-    parse_setting, parse_width,
-};
+use values::sweep_file;
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
 #[derive(Debug, Parser)]
 #[command(
+    name = "sweep",
     version = env!("SWEEP_VERSION"),
     max_term_width = 80,
     after_help = "Examples: a map of your own in two commands\n  \
@@ -82,6 +89,9 @@ pub enum Command {
         /// The file to write
         #[arg(default_value = "my-sweep.toml")]
         file: PathBuf,
+        /// Write sweep.schema.json next to it, by which editors complete its keys
+        #[arg(long)]
+        schema: bool,
         /// Write over a file that is there
         #[arg(long)]
         force: bool,
@@ -157,15 +167,19 @@ pub enum Command {
         it shows repeats what is on it.")]
     Explore(ExploreArguments),
     /// Say in the terminal what a results folder holds
-    #[command(after_help = "Example:\n  sweep summary results/fig09")]
+    #[command(after_help = "Examples:\n  sweep summary results/fig09\n  \
+        sweep summary results/fig09 --json | jq .agreement")]
     Summary {
         /// A results folder, of an unfinished run too
         folder: PathBuf,
+        #[command(flatten)]
+        document: DocumentArguments,
     },
-    /// Write the labels of a results folder in another format
+    /// Write labels or histories in another format, such as Parquet
     #[command(
-        after_help = "Example:\n  sweep export results/fig09 --format parquet\n\n\
-        Needs a program that is built with it:\n  \
+        after_help = "Examples:\n  sweep export results/fig09 --format parquet\n  \
+        sweep export results/fig10 --table history --format parquet\n\n\
+        Needs a program that is built with it, as those of releases are:\n  \
         cargo install --locked --path crates/sweep --features parquet"
     )]
     Export(ExportArguments),
@@ -215,64 +229,6 @@ pub enum Command {
     },
 }
 
-/// Arguments of `run`.
-#[derive(Debug, Args)]
-pub struct RunArguments {
-    /// The sweep file
-    pub file: PathBuf,
-    /// Results folder [default: results/NAME, by the name of the sweep file]
-    #[arg(long)]
-    pub out: Option<PathBuf>,
-    #[command(flatten)]
-    pub work: WorkArguments,
-    /// Say what would run and why, and stop
-    #[arg(long)]
-    pub dry_run: bool,
-    /// Run only part I (from 0) of N [default folder: results/NAME/shard-I-of-N]
-    #[arg(long, value_name = "I/N")]
-    pub shard: Option<Shard>,
-    /// Begin anew, over the results of an earlier run or a part of it
-    #[arg(long)]
-    pub fresh: bool,
-    /// Continue after a case without an answer, and list it in failures.csv (the default)
-    #[arg(long, conflicts_with = "fail_fast")]
-    pub keep_going: bool,
-    /// Stop at the first case that gives no answer
-    #[arg(long)]
-    pub fail_fast: bool,
-    /// Simulate every case to its end, even where the rest is certain or settled
-    #[arg(long)]
-    pub full: bool,
-    /// Only warn of a method whose margin says that a stuck site chatters
-    #[arg(long)]
-    pub allow_unstable: bool,
-    /// Print nothing but errors
-    #[arg(long)]
-    pub quiet: bool,
-    /// How to tell of progress on the error stream
-    #[arg(long, value_name = "FORMAT", default_value = "text")]
-    pub log: LogFormat,
-}
-
-impl RunArguments {
-    /// What of them the results depend on.
-    pub fn options(&self) -> RunOptions {
-        RunOptions {
-            full: self.full,
-            allow_unstable: self.allow_unstable,
-        }
-    }
-}
-
-/// How progress is reported.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum LogFormat {
-    /// For people: a bar on a terminal, lines elsewhere
-    Text,
-    /// One JSON object a line
-    Json,
-}
-
 /// What every command that simulates understands.
 #[derive(Debug, Args)]
 pub struct WorkArguments {
@@ -306,189 +262,11 @@ impl MemoryArguments {
     }
 }
 
-/// How pictures look.
-#[derive(Debug, Args)]
-pub struct PictureArguments {
-    /// Width of pictures on paper, e.g. 90mm, 9cm, 3.5in, 255pt [default: as for a screen]
-    #[arg(long, value_name = "LENGTH", value_parser = parse_length)]
-    pub width: Option<Length>,
-    /// With --width: the size of numbers and legends, e.g. 8pt
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        default_value = "8pt",
-        requires = "width",
-        value_parser = parse_length
-    )]
-    pub font_size: Length,
-    /// Formats of pictures, separated by commas
-    #[arg(
-        long,
-        value_name = "FORMATS",
-        value_delimiter = ',',
-        default_value = "svg,png"
-    )]
-    pub format: Vec<PictureFormat>,
-    /// Title that replaces those of the pictures; `none` for no title
-    #[arg(long, value_name = "TEXT")]
-    pub title: Option<String>,
-}
-
-/// Which part of a picture is shown.
-#[derive(Debug, Args)]
-pub struct RangeArguments {
-    /// Ends of the horizontal axis, in its unit, e.g. 0..60; of a history, of time
-    #[arg(
-        long,
-        value_name = "FROM..TO",
-        allow_hyphen_values = true,
-        value_parser = parse_range
-    )]
-    pub x_range: Option<AxisRange>,
-    /// Ends of the vertical axis, in its unit; of a history, of its first quantity
-    #[arg(
-        long,
-        value_name = "FROM..TO",
-        allow_hyphen_values = true,
-        value_parser = parse_range
-    )]
-    pub y_range: Option<AxisRange>,
-}
-
-/// A format of pictures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum PictureFormat {
-    /// In vectors, for a page
-    Svg,
-    /// In pixels, twice as many as on a screen; with --width, 600 to the inch
-    Png,
-    /// In vectors, for paper
-    Pdf,
-}
-
-impl PictureFormat {
-    /// The ending of its files.
-    pub fn ending(self) -> &'static str {
-        match self {
-            PictureFormat::Svg => "svg",
-            PictureFormat::Png => "png",
-            PictureFormat::Pdf => "pdf",
-        }
-    }
-}
-
-/// Arguments of `plot`.
-#[derive(Debug, Args)]
-pub struct PlotArguments {
-    /// A results folder, of an unfinished run too
-    pub folder: PathBuf,
-    #[command(flatten)]
-    pub picture: PictureArguments,
-    #[command(flatten)]
-    pub ranges: RangeArguments,
-}
-
-/// Arguments of `simulate`.
-#[derive(Debug, Args)]
-pub struct SimulateArguments {
-    /// The sweep file
-    pub file: PathBuf,
-    /// Which of the sweep's cases, from 0; several are drawn together
-    #[arg(long, value_name = "CASES", value_delimiter = ',', default_value = "0")]
-    pub case: Vec<usize>,
-    /// Set a quantity, e.g. surface_speed_rpm=0.1; may be repeated
-    #[arg(long, value_name = "AXIS=VALUE", value_parser = parse_setting)]
-    pub set: Vec<(Axis, f64)>,
-    #[command(flatten)]
-    pub film: FilmArguments,
-    #[command(flatten)]
-    pub picture: PictureArguments,
-    #[command(flatten)]
-    pub ranges: RangeArguments,
-    /// Folder for the files [default: results/NAME, by the name of the sweep file]
-    #[arg(long)]
-    pub out: Option<PathBuf>,
-    #[command(flatten)]
-    pub work: WorkArguments,
-    /// The case of a run with --full: its numbers are those at its end
-    #[arg(long)]
-    pub full: bool,
-    /// The case of a run with --allow-unstable, where axes change the string
-    #[arg(long)]
-    pub allow_unstable: bool,
-}
-
-/// Which snapshots `simulate` draws of the string in its hole.
-#[derive(Debug, Args)]
-pub struct FilmArguments {
-    /// Draw the string in its hole from time to time, of the first case and method
-    #[arg(long)]
-    pub film: bool,
-    /// With --film: how many frames, up to 60
-    #[arg(
-        long = "film-frames",
-        value_name = "N",
-        default_value = "12",
-        requires = "film",
-        value_parser = clap::value_parser!(u8).range(1..=60)
-    )]
-    pub frames: u8,
-    /// With --film: time of its first frame, s [default: at the first contact]
-    #[arg(long = "film-from", value_name = "TIME", requires = "film")]
-    pub from: Option<f64>,
-    /// With --film: time of its last frame, s [default: at the end]
-    #[arg(long = "film-to", value_name = "TIME", requires = "film")]
-    pub to: Option<f64>,
-}
-
-impl FilmArguments {
-    /// How many frames are asked for.
-    pub fn frames_asked(&self) -> usize {
-        if self.film { self.frames.into() } else { 0 }
-    }
-}
-
-/// Arguments of `inspect`.
-#[derive(Debug, Args)]
-pub struct InspectArguments {
-    /// The sweep file
-    pub file: PathBuf,
-    /// Folder for pictures and tables [default: results/NAME, by the name of the sweep file]
-    #[arg(long)]
-    pub out: Option<PathBuf>,
-    /// Show natural frequencies, critical speeds and shapes of the N lowest modes [default N: 6]
-    #[arg(
-        long,
-        value_name = "N",
-        num_args = 0..=1,
-        require_equals = true,
-        default_missing_value = "6",
-        value_parser = clap::value_parser!(u8).range(1..=30)
-    )]
-    pub modes: Option<u8>,
-    /// With --modes: what shakes the string, in multiples of its surface speed
-    #[arg(
-        long,
-        value_name = "ORDERS",
-        value_delimiter = ',',
-        default_value = "1,2,3",
-        requires = "modes",
-        value_parser = parse_order
-    )]
-    pub orders: Vec<f64>,
-    /// Write impulse and frequency responses and modes as CSV into the folder
-    #[arg(long)]
-    pub csv: bool,
-    #[command(flatten)]
-    pub picture: PictureArguments,
-    #[command(flatten)]
-    pub work: WorkArguments,
-}
-
 /// Arguments of `explore`.
 #[derive(Debug, Args)]
 pub struct ExploreArguments {
-    /// The sweep file
+    /// The sweep file, or - for standard input
+    #[arg(value_parser = sweep_file())]
     pub file: PathBuf,
     /// The page
     #[arg(long, default_value = "explore.html")]
@@ -500,6 +278,14 @@ pub struct ExploreArguments {
     pub case: usize,
     #[command(flatten)]
     pub memory: MemoryArguments,
+}
+
+/// Who reads what a command says.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct DocumentArguments {
+    /// Print one JSON document, for programs, instead of lines for people
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Whether a file may be lost.
@@ -521,68 +307,4 @@ pub struct ReportArguments {
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub overwrite: OverwriteArguments,
-}
-
-/// Arguments of `analyse`.
-#[derive(Debug, Args)]
-pub struct AnalyseArguments {
-    /// A results folder, or shards of one sweep
-    #[arg(required = true)]
-    pub folders: Vec<PathBuf>,
-    /// Count over ranges of an axis, or of two: X or X,Y; may be repeated [default: each axis]
-    #[arg(long, value_name = "AXES", value_parser = parse_axes)]
-    pub by: Vec<AxesOfCells>,
-    /// Ranges of an axis that has more than a few values
-    #[arg(long, default_value = "10", value_parser = clap::value_parser!(u16).range(1..=1000))]
-    pub bins: u16,
-    /// Say how many more cases an interval no wider than this takes, e.g. 0.02
-    #[arg(long, value_parser = parse_width)]
-    pub width: Option<f64>,
-    /// Write all counts and intervals to a CSV file
-    #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
-    /// Write Sobol's indices of a sensitivity design to a CSV file
-    #[arg(long, value_name = "FILE")]
-    pub indices: Option<PathBuf>,
-    /// Draw how likely a regime is over the axes of --by, as .svg or .png
-    #[arg(long, value_name = "FILE", value_parser = parse_picture, requires = "by")]
-    pub picture: Option<PictureFile>,
-    #[command(flatten)]
-    pub overwrite: OverwriteArguments,
-    /// Which regime to draw, by its label [default: stick-slip, sustained whirl]
-    #[arg(long, value_name = "LABEL", value_parser = parse_regime, requires = "picture")]
-    pub regime: Option<Label>,
-}
-
-/// Arguments of `window`.
-#[derive(Debug, Args)]
-pub struct WindowArguments {
-    /// The sweep file
-    pub file: PathBuf,
-    /// Results folders of its string [default: results/NAME, by the name of the sweep file]
-    pub folders: Vec<PathBuf>,
-    /// Folder for window.svg, window.png and window.csv [default: the first results folder]
-    #[arg(long)]
-    pub out: Option<PathBuf>,
-    /// What shakes the string sideways, in multiples of its surface speed
-    #[arg(long, value_name = "ORDERS", value_delimiter = ',', default_value = "1", value_parser = parse_order)]
-    pub orders: Vec<f64>,
-    /// Places that hold the string sideways, from the bit, in m or, with `units = "field"`, ft [default: the sites of the file]
-    #[arg(long, value_name = "PLACES", value_delimiter = ',')]
-    pub held_at: Option<Vec<f64>>,
-    /// The part by which a critical speed and the wall's friction may be off
-    #[arg(long, default_value_t = 0.1, value_parser = parse_part)]
-    pub margin: f64,
-    /// Of random cases, the part with vibration up to which a cell is safe
-    #[arg(long, default_value_t = 0.1, value_parser = parse_part)]
-    pub risk: f64,
-    /// Ranges of either axis that random cases are counted in
-    #[arg(long, default_value = "10", value_parser = clap::value_parser!(u16).range(2..=100))]
-    pub bins: u16,
-    /// The part of either axis that the best point keeps from every limit
-    #[arg(long, default_value_t = 0.05, value_parser = parse_part)]
-    pub clearance: f64,
-    /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
-    #[arg(long)]
-    pub jobs: Option<usize>,
 }

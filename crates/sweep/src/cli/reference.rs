@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::values::{parse_axis, parse_margin};
+use super::values::{parse_axis, parse_margin, sweep_file};
 use super::{MemoryArguments, OverwriteArguments};
 use campaign::quantities::Axis;
 
@@ -25,7 +25,7 @@ pub struct ReferenceArguments {
     #[command(flatten)]
     pub overwrite: OverwriteArguments,
     /// The sweep file of the results [default: that of their manifest.json]
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = sweep_file())]
     pub sweep: Option<PathBuf>,
     /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
-use super::values::{parse_measure, parse_setting, parse_strength};
+use super::values::{parse_measure, parse_setting, parse_strength, sweep_file};
 use super::{MemoryArguments, WorkArguments};
 use campaign::quantities::Axis;
 use studies::promises::{Begins, Motion};
@@ -119,6 +119,7 @@ pub struct PromisesArguments {
 #[derive(Debug, Args)]
 pub struct ContactsArguments {
     /// The sweep file [default: the paper's string, and that of a 12¼-inch well]
+    #[arg(value_parser = sweep_file())]
     pub file: Option<PathBuf>,
     /// Numbers of contacts
     #[arg(long, value_name = "N", value_delimiter = ',', default_values_t = [1, 2, 4, 8, 16, 32, 64])]

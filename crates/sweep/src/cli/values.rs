@@ -2,11 +2,21 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use sim::{Label, Motion};
 
 use campaign::quantities::Axis;
 use campaign::sweep_file::{axis_in_units, axis_named};
+use campaign::text_file::STANDARD_INPUT;
 use studies::tradeoff::Measure;
+
+/// A sweep file: a path, or `-` for standard input.
+pub fn sweep_file() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().map(|path| match path.to_str() {
+        Some("-") => PathBuf::from(STANDARD_INPUT),
+        _ => path,
+    })
+}
 
 /// A measure of the chart of accuracy against speed.
 ///

@@ -7,6 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 
 use super::choosing::choose;
+use super::input::read_text;
 use super::outputs::{Output, refuse_to_lose};
 use super::simulate::not_followed;
 use super::status::{Status, UsageError};
@@ -14,12 +15,11 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::ExploreArguments;
-use crate::explore::{Explored, controls, page, whirl_lines};
+use crate::explore::{Explored, controls, methods_of_page, page, whirl_lines};
 use crate::histories::history_picture;
 use campaign::Campaign;
 use campaign::engine::RunOptions;
 use campaign::follow::{Following, KeptSystems};
-use campaign::text_file::read_text;
 use plot::Look;
 use results::files::write_atomically;
 
@@ -41,7 +41,10 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         )));
     }
     let refused = |words: String| UsageError(format!("{}: {words}", file.display()));
-    let chosen = campaign.cases(&[arguments.case], &[], &[0]);
+    let (method, slow) = methods_of_page(&campaign.sweep);
+    let chosen = campaign.cases(&[arguments.case], &[], &[method]);
+    let name = |place: usize| campaign.sweep.methods[place].name();
+    let (method, slow) = (name(method), slow.map(name));
     let chosen = match chosen.map_err(|error| refused(error.to_string()))? {
         Ok(chosen) => chosen,
         Err(rows) => {
@@ -63,7 +66,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         .context("there is no case")?;
     let Some(simulation) = followed.simulations.into_iter().next() else {
         let reason = row.outcome.err().context("there is no motion")?;
-        let (case, method) = (case.index, sweep.methods[0].name());
+        let case = case.index;
         terminal.complain(&format!(
             "error: case {case} by {method} has no answer: {reason}"
         ));
@@ -74,6 +77,8 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
     let html = page(&Explored {
         file,
         sweep: &sweep,
+        method,
+        slow,
         texts,
         controls: &controls,
         whirl: whirl_lines(&sweep, &controls)?,

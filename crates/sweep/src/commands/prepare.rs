@@ -5,6 +5,7 @@ use std::path::Path;
 use anyhow::Result;
 
 use super::choosing::choose;
+use super::input::read_text;
 use super::status::UsageError;
 use super::terminal::Terminal;
 use super::warnings::warn_of_memory;
@@ -12,7 +13,6 @@ use crate::cli::WorkArguments;
 use campaign::engine::{MethodSystem, Recipe, Survey};
 use campaign::plan::{Setting, Sweep};
 use campaign::sweep_file::SweepFileError;
-use campaign::text_file::read_text;
 use campaign::{Campaign, SurveyError};
 
 /// Opens a sweep file and replaces its methods by those asked for; or chooses one, where it asks

@@ -5,18 +5,23 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
+use super::document::say_document;
 use super::folder::{REPORT, hold, tables_of};
 use super::outputs::{Output, refuse_to_lose};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use crate::cli::ReportArguments;
-use crate::report::{Results, compare, is_page, page, sections, text};
+use crate::report::{Results, SummaryFound, compare, is_page, page, sections, text};
 use campaign::text_file::unreadable;
 use results::files::{folder_of, write_atomically};
 
 /// Says in the terminal what a folder holds.
-pub fn summary(folder: &Path, terminal: Terminal) -> Result<Status> {
+pub fn summary(folder: &Path, json: bool, terminal: Terminal) -> Result<Status> {
     let all = [read(folder, terminal)?];
+    if json {
+        say_document("summary", &SummaryFound::new(&all[0]))?;
+        return Ok(Status::Complete);
+    }
     say(&text(&title(&all), &sections(&all, &[])))?;
     Ok(Status::Complete)
 }

@@ -100,10 +100,8 @@ pub fn tell_unfinished(terminal: Terminal) {
 pub fn end(status: Status) -> ! {
     // A separate thread, for it may never end.
     let _ = thread::Builder::new().spawn(move || {
-        if let Ok(before_end) = BEFORE_END.lock()
-            && let Some(farewell) = before_end.as_deref()
-        {
-            farewell();
+        if let Ok(before_end) = BEFORE_END.lock() {
+            before_end.as_deref().inspect(|farewell| farewell());
         }
         exit(status as i32);
     });

@@ -14,8 +14,12 @@ const AROUND: [f64; 2] = [0.25, 4.0];
 pub struct Control {
     /// Its name.
     pub axis: Axis,
+    /// Its name in the units that are shown.
+    pub name: String,
     /// What it is, with the unit in which it is shown.
     pub title: String,
+    /// That unit; empty where it has none.
+    pub unit: String,
     /// How much of the unit of its name that is.
     pub size: f64,
     /// Its value, as it is shown.
@@ -24,6 +28,12 @@ pub struct Control {
     pub least: f64,
     /// The greatest.
     pub most: f64,
+    /// The least and the greatest that may be asked for.
+    pub lowest: f64,
+    /// See `lowest`.
+    pub highest: f64,
+    /// Whether only whole numbers make sense.
+    pub counted: bool,
 }
 
 /// The controls of a case: first what the design varies.
@@ -39,6 +49,10 @@ pub fn controls(sweep: &Sweep, case: &Case) -> Vec<Control> {
         Axis::SurfaceSpeedRpm,
         Axis::WeightOnBitKn,
         Axis::TorqueDynamicNm,
+        Axis::TorqueStaticRatio,
+        Axis::StringFriction,
+        Axis::StringFrictionRatio,
+        Axis::StringFrictionSpeed,
         Axis::String(StringAxis::TorsionalDamping),
         Axis::FRICTION,
         Axis::ImpulseRatio,
@@ -57,8 +71,8 @@ pub fn controls(sweep: &Sweep, case: &Case) -> Vec<Control> {
         let Some(value) = value_of(sweep, case, axis).filter(|value| *value != 0.0) else {
             continue;
         };
-        let [least, most] = AROUND.map(|part| part * value);
-        controls.push(control(axis, units, value, [least, most.min(axis.most())]));
+        let range = AROUND.map(|part| (part * value).clamp(axis.least(), axis.most()));
+        controls.push(control(axis, units, value, range));
     }
     controls
 }
@@ -68,11 +82,16 @@ fn control(axis: Axis, units: Units, value: f64, range: [f64; 2]) -> Control {
     let [least, most] = range.map(|end| unit.number(end));
     Control {
         axis,
+        name: axis.name_in(units),
         title: axis.title(units),
         size: 1.0 / unit.number(1.0),
         value: unit.number(value),
         least,
         most,
+        lowest: unit.number(axis.least()),
+        highest: unit.number(axis.most()),
+        counted: axis.is_counted(),
+        unit: unit.name,
     }
 }
 
@@ -99,6 +118,10 @@ fn value_of(sweep: &Sweep, case: &Case, axis: Axis) -> Option<f64> {
             let lateral = case.scene.lateral.as_ref()?;
             Some(lateral.walls.first()?.friction)
         }
+        Axis::TorqueStaticRatio => content.bit.as_ref().map(|bit| bit.torque_static_ratio),
+        Axis::StringFriction => content.string_friction.as_ref()?.static_coefficient,
+        Axis::StringFrictionRatio => Some(content.string_friction.as_ref()?.dynamic_ratio),
+        Axis::StringFrictionSpeed => Some(content.string_friction.as_ref()?.stribeck_rpm),
         Axis::ImpulseRatio => content.impulses.iter().find_map(|impulse| impulse.ratio),
         Axis::String(StringAxis::TorsionalDamping) => {
             Some(content.string.torsional_damping_nms_rad_m)

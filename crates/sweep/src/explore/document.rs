@@ -10,7 +10,10 @@ use campaign::labels::LabelTable;
 use campaign::plan::Sweep;
 use campaign::quantities::{Axis, TORQUE, WIDTH};
 use campaign::records::{Certainty, Record};
-use campaign::words::shell_word;
+use campaign::sweep_file::FileContent;
+use campaign::words::{file_word, short, site_title};
+use linear::Method;
+use results::folder::column_words;
 use serde_json::json;
 
 use super::controls::Control;
@@ -22,9 +25,10 @@ const STYLE: [&str; 3] = [
     include_str!("../page/plot.css"),
     include_str!("../page/explore.css"),
 ];
-const SCRIPTS: [&str; 3] = [
+const SCRIPTS: [&str; 4] = [
     include_str!("../page/engine.js"),
     include_str!("../page/plot.js"),
+    include_str!("../page/zoom.js"),
     include_str!("../page/explore.js"),
 ];
 const ENGINE: &[u8] = include_bytes!("../page/engine.wasm.gz");
@@ -32,12 +36,26 @@ const ENGINE: &[u8] = include_bytes!("../page/engine.wasm.gz");
 /// Quickest to build where the string changes as a slider moves.
 const QUICK: &str = "quadrature";
 
+/// Of the methods of a sweep, by their places: the one that its page simulates by, and one that takes
+/// minutes to build in a browser. It is the first of the file, but of a string with friction all along
+/// it one without a lattice of waves in each piece.
+pub fn methods_of_page(sweep: &Sweep) -> (usize, Option<usize>) {
+    let is_slow = |method: &Method| sweep.setting.friction.is_some() && *method == Method::Held;
+    let slow = sweep.methods.iter().position(is_slow);
+    let quick = sweep.methods.iter().position(|method| !is_slow(method));
+    (quick.unwrap_or(0), slow)
+}
+
 /// What a page is made of.
 pub struct Explored<'a> {
     /// The sweep file.
     pub file: &'a Path,
     /// The sweep.
     pub sweep: &'a Sweep,
+    /// The method that the page simulates by.
+    pub method: &'static str,
+    /// A method of the sweep file that takes minutes to build in a browser.
+    pub slow: Option<&'static str>,
     /// Every text that was read for it.
     pub texts: BTreeMap<String, String>,
     /// What can be changed.
@@ -79,9 +97,11 @@ pub fn page(explored: &Explored) -> Result<String> {
 
 /// What scripts bring to life.
 const LIVE: &str = r#"<div id="live" hidden>
-<p id="regime" aria-live="polite"></p>
 <div class="explore">
-<section aria-label="What can be changed"><div id="controls"></div>
+<div class="seen"><p id="regime" aria-live="polite"></p>
+<p id="side" aria-live="polite"></p>
+<div id="lead"></div></div>
+<section class="changed" aria-label="What can be changed"><div id="controls"></div>
 <p><button id="reset" type="button">As in the file</button></p>
 <div id="map" role="application" tabindex="0" aria-label="The limit, with the place of this case: drag it, or move it by arrow keys"></div>
 <p id="lines" class="note" hidden></p></section>
@@ -89,7 +109,7 @@ const LIVE: &str = r#"<div id="live" hidden>
 </div>
 <p><label for="command">The same in a terminal</label> <input id="command" readonly>
 <button id="copy" type="button">Copy as command</button></p>
-<div class="scroll" role="region" aria-label="Row of the case" tabindex="0"><table><caption><span>Row of the case, as in labels.csv</span></caption><tbody id="row"></tbody></table></div>
+<div class="scroll" role="region" aria-label="Row of the case" tabindex="0"><table><caption><span>Numbers of the case, in the units of the file</span></caption><tbody id="row"></tbody></table></div>
 </div>
 "#;
 
@@ -107,9 +127,14 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         "texts": explored.texts,
         "methods": methods.collect::<Vec<_>>(),
     });
-    // What was chosen for an accuracy, or read from a workbook, is in no text.
-    if sweep.choice.is_some() || sweep.sheet.is_some() {
-        opening["sweep"] = serde_json::to_value(&sweep.content)?;
+    // What was chosen for an accuracy, or read from a workbook, is in no text; and engines of earlier
+    // versions do not know a name.
+    if sweep.choice.is_some() || sweep.sheet.is_some() || sweep.content.name.is_some() {
+        let content = FileContent {
+            name: None,
+            ..sweep.content.clone()
+        };
+        opening["sweep"] = serde_json::to_value(&content)?;
     }
     let case = explored.row.case;
     let place = |wanted: &[Axis]| {
@@ -128,16 +153,27 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         None => stick_slip.map(|(torque, speed)| json!({ "axes": [torque, speed] })),
     };
     let units = sweep.content.units;
+    let sites = sweep.setting.sites.distances_from_bit().iter();
+    let header = LabelTable::of(sweep).header();
+    let columns = header.split(',').map(|name| {
+        let (words, unit) = column_words(name, units);
+        let mut column = shown(&unit);
+        column["words"] = words.into();
+        (name.to_owned(), column)
+    });
     Ok(json!({
+        "sites": sites.map(|site| site_title(*site, units)).collect::<Vec<_>>(),
+        "columns": columns.collect::<serde_json::Map<_, _>>(),
         "opening": opening,
         "case": case,
-        "method": own[0],
+        "method": explored.method,
         "quick": QUICK,
+        "slow": explored.slow,
         "controls": controls,
         "torque": shown(&units.of(&TORQUE).kilo()),
         "width": shown(&units.of(&WIDTH)),
         "map": map,
-        "command": format!("sweep simulate {} --case {case} --methods {}", shell_word(&path), own[0]),
+        "command": format!("sweep simulate {} --case {case} --methods {}", file_word(&path), explored.method),
     }))
 }
 
@@ -146,13 +182,26 @@ fn still(explored: &Explored) -> String {
     let labels = LabelTable::of(explored.sweep);
     let row = labels.row(explored.row, Certainty::default());
     let header = labels.header();
-    let mut numbers = Table::new("The case as it is in the file", ["column", "value"]);
+    let units = explored.sweep.content.units;
+    let mut numbers = Table::new("The case as it is in the file", ["what", "value"]);
     let cells = header
         .split(',')
         .zip(row.split(','))
         .filter(|(_, text)| !text.is_empty());
-    let cells = cells.map(|(name, text)| vec![name.to_owned(), text.to_owned()]);
-    numbers.rows = cells.collect();
+    numbers.rows = cells
+        .map(|(name, text)| {
+            let (words, unit) = column_words(name, units);
+            let what = match unit.name.as_str() {
+                "" => words,
+                unit => format!("{words} ({unit})"),
+            };
+            let value = match text.parse() {
+                Ok(value) => short(unit.number(value)),
+                Err(_) => text.replace('_', " "),
+            };
+            vec![what, value]
+        })
+        .collect();
     let picture = STANDARD.encode(explored.picture);
     format!(
         "<div id=\"still\">\n<noscript><p>Scripts are off here: this is the case as it is in the \

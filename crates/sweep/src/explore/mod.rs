@@ -6,5 +6,5 @@ mod document;
 mod whirl;
 
 pub use controls::controls;
-pub use document::{Explored, page};
+pub use document::{Explored, methods_of_page, page};
 pub use whirl::whirl_lines;

@@ -40,9 +40,10 @@ pub fn case_lines(
         }
         let clearances = Clearances::of(&sweep.setting, case);
         for (simulation, whole) in simulations.iter().zip(wholes) {
-            if simulation.case == case.index
-                && let Some(clearances) = &clearances
-            {
+            let own = clearances
+                .as_ref()
+                .filter(|_| simulation.case == case.index);
+            if let Some(clearances) = own {
                 text += &beyond_line(sweep, clearances, simulation, whole);
             }
         }
@@ -126,6 +127,7 @@ fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {
             Ended::Settled => "settled",
             Ended::Certain => "certain",
             Ended::End => "at its end",
+            other => other.name(),
         };
         let (early, late) = (simulation.answer.simulated, followed.simulated);
         for measures in to_end {

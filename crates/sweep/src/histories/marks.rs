@@ -1,10 +1,9 @@
 //! What pictures of motion have in common: levels, and whether the wall is shown.
 
-use crate::method_styles::method_style;
 use campaign::engine::{Case, Clearances, Simulation};
 use campaign::plan::Sweep;
 use campaign::quantities::Unit;
-use plot::{Across, LineStyle, Reference};
+use plot::{Across, LineStyle, Reference, method_style};
 
 /// The clearance is drawn where motion reaches this part of it.
 pub const CLEARANCE_SHOWN: f64 = 0.2;

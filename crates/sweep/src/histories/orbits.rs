@@ -41,6 +41,7 @@ pub fn orbit_picture(
         let (site, unit) = (site_title(distance, units), &width.name);
         Orbit {
             axes: [format!("x at {site} ({unit})"), format!("y ({unit})")].map(Axis::linear),
+            has_one_scale: true,
             series,
             circles,
             last: simulations

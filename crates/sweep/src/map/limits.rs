@@ -4,11 +4,10 @@
 use super::extent::Extent;
 use super::mesh::around;
 use super::words::{ends, quantity};
-use crate::method_styles::method_style;
 use campaign::quantities::{Axis, Units};
 use campaign::sweep_file::Spacing;
 use limits::Curve;
-use plot::{Band, LineStyle, Series, is_within};
+use plot::{Band, LineStyle, Series, is_within, method_style};
 use sim::Motion;
 
 /// The limit on a map.

@@ -85,11 +85,20 @@ impl Mesh {
         self.number(column, row)
     }
 
+    /// The ends of the cells at a place along an axis.
+    pub fn ends(&self, axis: usize, place: usize) -> [f64; 2] {
+        [self.edges[axis][place], self.edges[axis][place + 1]]
+    }
+
+    /// The middle of the cells at a place along an axis.
+    fn middle(&self, axis: usize, place: usize) -> f64 {
+        let [from, to] = self.ends(axis, place);
+        0.5 * (from + to)
+    }
+
     /// The middle of a cell.
     pub fn centre(&self, column: usize, row: usize) -> (f64, f64) {
-        let [x, y] = &self.edges;
-        let middle = |edges: &[f64], cell: usize| 0.5 * (edges[cell] + edges[cell + 1]);
-        (middle(x, column), middle(y, row))
+        (self.middle(0, column), self.middle(1, row))
     }
 
     /// Cells of a `fill`, by their numbers, neighbours to the right that are alike as one.

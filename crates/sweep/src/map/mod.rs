@@ -28,8 +28,10 @@ mod words;
 
 pub use cells::Cells;
 pub use extent::Extent;
+pub use fractions::Fractions;
+pub use mesh::Mesh;
 pub use picture::{MapDrawing, drawing};
 pub use probability::{Probabilities, probability_picture};
+pub use shown::plot_axis;
 pub use symbol::symbol_of;
 pub use window::{WindowView, window_picture};
-pub use words::meanings;

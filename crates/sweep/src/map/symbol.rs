@@ -1,29 +1,19 @@
 //! The symbol of a case.
 
-use sim::{Label, Motion, TorsionRegime};
+use sim::Motion;
 
 use plot::Symbol;
 use results::folder::CaseRows;
 
-/// The paper's symbols for a motion: a circle where every method finds sustained
-/// vibration, a cross where none does, a square where they differ; and a diamond where by
-/// every method the start decides. None where a
-/// method has no answer, or one that tells nothing.
+/// The symbol of what the methods find of a motion. None where a method has no answer, or one
+/// that tells nothing.
 pub fn symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
-    let (mut sustained, mut bistable) = (0, 0);
-    for row in &case.rows {
-        sustained += usize::from(row.labels.is_sustained(motion)?);
-        bistable += usize::from(row.labels[motion] == Some(BISTABLE));
-    }
-    let methods = case.rows.len();
-    Some(match bistable {
-        0 => symbol_of_counts(sustained, methods),
-        _ if bistable == methods => Symbol::Diamond,
-        _ => Symbol::Square,
-    })
+    let found = case.found(motion)?;
+    Some(Symbol::of_methods(
+        [found.sustained, found.bistable],
+        found.methods,
+    ))
 }
-
-const BISTABLE: Label = Label::Torsion(TorsionRegime::Bistable);
 
 /// The same as a map has it: filled where the case is certain.
 pub fn drawn_symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
@@ -31,17 +21,6 @@ pub fn drawn_symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
     let mut rows = case.rows.iter();
     let is_certain = rows.any(|row| row.certainty[motion] == Some(true));
     Some(if is_certain { symbol.filled() } else { symbol })
-}
-
-/// The symbol where a number of the methods find sustained vibration.
-pub fn symbol_of_counts(sustained: usize, methods: usize) -> Symbol {
-    if sustained == methods {
-        Symbol::Circle
-    } else if sustained == 0 {
-        Symbol::Cross
-    } else {
-        Symbol::Square
-    }
 }
 
 #[cfg(test)]

@@ -7,7 +7,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::cells::Cells;
 use super::content::{Content, SYMBOLS_ACROSS};
 use super::mesh::{Mesh, around};
-use super::symbol::symbol_of_counts;
 use results::traced::TracedLimits;
 
 use campaign::sweep_file::Spacing;
@@ -106,7 +105,7 @@ impl TracedMap<'_> {
                 Class::Undetermined | Class::Unknown => return None,
             }
         }
-        Some(symbol_of_counts(with, self.methods))
+        Some(Symbol::of_methods([with, 0], self.methods))
     }
 
     /// The tiles of any method, by their ends along the design's axes, each with the mean

@@ -55,21 +55,6 @@ pub fn range(axis: Axis, range: [f64; 2], units: Units) -> String {
     format!("{name} from {}", ends(axis, range, units))
 }
 
-/// What the symbols of a motion mean, `by_all` methods.
-pub fn meanings(motion: Motion, by_all: &str) -> [(Symbol, String); 4] {
-    let [regime, none] = motion.regimes();
-    let comma = if by_all.is_empty() { "" } else { "," };
-    [
-        (Symbol::Circle, format!("{regime}{by_all}")),
-        (
-            Symbol::Diamond,
-            format!("{regime} or {none}, depending on the start{comma}{by_all}"),
-        ),
-        (Symbol::Cross, format!("{none}{by_all}")),
-        (Symbol::Square, "methods differ".to_owned()),
-    ]
-}
-
 /// The fills and symbols that are on any of the maps: parts from all to none of the
 /// cases, then symbols.
 pub fn keys(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(CellFill, String)> {
@@ -94,9 +79,9 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ce
         " by all methods"
     };
     let is_there = |symbol| contents.iter().any(|content| content.has(symbol));
-    let meanings = meanings(motion, by_all);
+    let meanings = Symbol::meanings(motion.regimes(), by_all);
     let meanings = match manifest.certified_by {
-        Some(_) => by_certainty(meanings),
+        Some(_) => Symbol::by_certainty(meanings),
         None => meanings.to_vec(),
     };
     let mut found: Vec<_> = (meanings.into_iter())
@@ -118,21 +103,6 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ce
         }
     }
     found
-}
-
-/// The meanings of symbols where certainty is known for each case.
-fn by_certainty(meanings: [(Symbol, String); 4]) -> Vec<(Symbol, String)> {
-    let of_symbol = |(symbol, meaning): (Symbol, String)| {
-        let certain = symbol.filled();
-        if certain == symbol {
-            return vec![(symbol, meaning)];
-        }
-        vec![
-            (certain, format!("{meaning}, certain")),
-            (symbol, format!("{meaning}, not certain")),
-        ]
-    };
-    meanings.into_iter().flat_map(of_symbol).collect()
 }
 
 /// What the fills of cells tell.

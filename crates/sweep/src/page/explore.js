@@ -10,16 +10,17 @@ let wanted = null;
 let busy = false;
 let mapEnds = null;
 
-/** A value that is shown, in the unit of its axis' name: in as many digits as it was shown with. */
-const named = (axis, value) => {
-  const { size } = control(axis);
-  return size === 1 ? value : Number((value * size).toPrecision(12));
-};
-
-/** What differs from the case as the file has it. */
+/** What differs from the case as the file has it, as the engine takes it: in the units of the axes' names. */
 const changes = () => Object.fromEntries(
-  data.controls.filter(({ axis, value }) => values[axis] !== value).map(({ axis }) => [axis, named(axis, values[axis])]),
+  data.controls.filter(({ axis, value }) => values[axis] !== value).map(({ axis, size }) => [axis, values[axis] * size]),
 );
+
+/** The same as the command takes it: in the units that are shown. */
+const changesInWords = () =>
+  data.controls.filter(({ axis, value }) => values[axis] !== value).map(({ axis, name }) => ` --set ${name}=${values[axis]}`).join("");
+
+/** Of a method that has a lattice of waves to build in each piece of the string. */
+const SLOW = ` Linear systems by ${data.slow} take minutes to build in a page, of a string with friction along it.`;
 
 /** Asks for the case as it now is; of several wishes the last is met. */
 async function redraw(quick) {
@@ -30,18 +31,50 @@ async function redraw(quick) {
     const { quick: isQuick } = wanted;
     wanted = null;
     const method = isQuick ? data.quick : data.method;
+    const slow = setTimeout(() => { byId("status").textContent = `Simulating …${method === data.slow ? SLOW : ""}`; }, 250);
     const request = { case: data.case, set: changes(), method, quick: isQuick };
     try {
       const answer = await engine.simulate(request);
-      show(answer, await limitLines(request), method, isQuick);
+      const lines = await limitLines(request);
+      clearTimeout(slow);
+      show(answer, lines, method, isQuick);
+      if (changed) complain(changed, "");
     } catch (error) {
-      byId("status").textContent = error.message;
+      refuse(error.message);
+    } finally {
+      clearTimeout(slow);
     }
   }
   busy = false;
 }
 
 const control = (axis) => data.controls.find((one) => one.axis === axis);
+
+/** The control that was changed last. */
+let changed = null;
+
+/** Writes a message next to the field that it is about; none takes it away. */
+const complain = (axis, message) => {
+  byId(`error-${axis}`).textContent = message;
+  byId(`number-${axis}`).setAttribute("aria-invalid", String(message !== ""));
+};
+
+/** What the engine refuses stands at the field that it names, else at the one that was changed last. */
+const refuse = (message) => {
+  const named = data.controls.find(({ axis, name }) => message.includes(axis) || message.includes(name));
+  const axis = named?.axis ?? changed;
+  if (axis) complain(axis, message);
+  byId("status").textContent = axis ? `Not simulated: see ${control(axis).title}.` : message;
+};
+
+/** What is wrong with a number in a field; nothing where it may be asked for. */
+const wrongWith = ({ lowest, highest, unit, counted }, value) => {
+  if (!Number.isFinite(value)) return "This is not a number.";
+  if (value < lowest) return `At least ${readable(lowest)} ${unit}`.trim() + ".";
+  if (value > highest) return `At most ${readable(highest)} ${unit}`.trim() + ".";
+  if (counted && !Number.isInteger(value)) return "A whole number.";
+  return "";
+};
 
 /** The lines of the map, in the units of their axes' names: those that came with the page, or Eq. 74. */
 async function limitLines(request) {
@@ -56,6 +89,62 @@ async function limitLines(request) {
 /** How the lines of a map are drawn, in a class and in words: those of whirl are three at most. */
 const LOOKS = [["curve", "solid"], ["curve second", "dashed"], ["curve third", "dotted"]];
 
+/** Of the lines of a map, the least at a place; null where there is none. */
+const limitAt = (curves, at) => {
+  let least = null;
+  for (const { x, y } of curves) {
+    for (let place = 1; place < x.length; place += 1) {
+      const [from, to] = [x[place - 1], x[place]];
+      if ((from - at) * (to - at) > 0 || from === to) continue;
+      const limit = y[place - 1] + ((y[place] - y[place - 1]) * (at - from)) / (to - from);
+      if (least === null || limit < least) least = limit;
+    }
+  }
+  return least;
+};
+
+/** What may last on the side of the limit that has it, and what is on the other: of stick-slip below, of whirl above. */
+const SIDES = {
+  stick_slip: { isBelow: true, with: "stick-slip can last", without: "smooth rotation" },
+  whirl: { isBelow: false, with: "whirl can last, once begun", without: "no steady whirl" },
+};
+
+/** The area on the side of the least limit that has vibration, piece by piece where there is a limit. */
+const sidesOf = (curves, [[from, to], [low, high]], { isBelow }) => {
+  const pieces = [];
+  let piece = null;
+  for (let step = 0; step <= 200; step += 1) {
+    const x = from + (step * (to - from)) / 200;
+    const limit = limitAt(curves, x);
+    if (limit === null) {
+      piece = null;
+      continue;
+    }
+    if (!piece) pieces.push((piece = { x: [], y: [] }));
+    piece.x.push(x);
+    piece.y.push(Math.min(high, Math.max(low, limit)));
+  }
+  const edge = isBelow ? low : high;
+  return pieces.map(({ x, y }) => ({ x: [x[0], ...x, x.at(-1)], y: [edge, ...y, edge] }));
+};
+
+/** Names of both sides, where each has room. */
+const sideNames = (curves, ends, { isBelow, ...side }) => {
+  const [low, high] = ends[1];
+  const at = [0.05, 0.95].map((part) => ends[0][0] + part * (ends[0][1] - ends[0][0]));
+  const limits = at.map((x) => limitAt(curves, x));
+  const room = 0.14 * (high - low);
+  const names = [];
+  // Below the limit where it is high, above it where it is low, nearer to the frame than to the limit.
+  const [left, right] = limits.map((limit) => limit === null ? null : Math.min(high, Math.max(low, limit)));
+  const below = (left ?? low) > (right ?? low) ? 0 : 1;
+  const edge = [left, right][below];
+  if (edge !== null && edge - low > room) names.push({ text: isBelow ? side.with : side.without, at: [at[below], low + 0.3 * (edge - low)] });
+  const other = [left, right][1 - below];
+  if (other !== null && high - other > room) names.push({ text: isBelow ? side.without : side.with, at: [at[1 - below], high - 0.3 * (high - other)] });
+  return names;
+};
+
 function showMap(lines) {
   const axes = data.map.axes.map(control);
   // Friction from nothing on: limits may lie below what its slider has.
@@ -64,14 +153,30 @@ function showMap(lines) {
   const along = (piece, at) => piece.map((point) => point[at] / axes[at].size);
   const curves = lines.flatMap(({ pieces }, at) =>
     pieces.map((piece) => ({ x: along(piece, 0), y: along(piece, 1), look: LOOKS[at][0] })));
-  const title = data.map.lines ? "Limit of backward whirl" : "Limit of stick-slip (Eq. 74)";
+  const side = data.map.lines ? SIDES.whirl : SIDES.stick_slip;
+  const title = data.map.lines ? "Limit of whirl" : "Limit of stick-slip (Eq. 74)";
   const words = axes.map((axis) => axis.title);
   const here = axes.map(({ axis }) => values[axis]);
-  byId("map").replaceChildren(chart({ title, words, ends, lines: curves, here, shape: 2 }));
+  const names = sideNames(curves, ends, side);
+  byId("map").replaceChildren(chart({ title, words, ends, lines: curves, here, shape: 2, sides: sidesOf(curves, ends, side), names }));
   mapEnds = ends;
-  const names = lines.filter(({ name }) => name).map(({ name }, at) => `${LOOKS[at][1]}: ${name}`);
-  byId("lines").hidden = names.length === 0;
-  byId("lines").textContent = `Of the string as it is in the file; ${names.join("; ")}.`;
+  showSide(limitAt(curves, here[0]), here, axes, side);
+  const keys = lines.filter(({ name }) => name).map(({ name }, at) => `${LOOKS[at][1]}: ${name}`);
+  byId("lines").hidden = keys.length === 0;
+  byId("lines").textContent = `Of the string as it is in the file; ${keys.join("; ")}.`;
+}
+
+/** Says on which side of its limit the case is. */
+function showSide(limit, [at, value], axes, side) {
+  const [across, limited] = axes.map(({ unit }) => (unit ? ` ${unit}` : ""));
+  const words = limit === null ? "" : (() => {
+    const isBelow = value < limit;
+    const digits = (number) => readable(Number(number.toPrecision(3)));
+    const off = digits(Math.abs(value - limit));
+    const what = isBelow === side.isBelow ? side.with : side.without;
+    return `${off}${limited} ${isBelow ? "below" : "above"} the limit of ${digits(limit)}${limited} at ${readable(at)}${across}: ${what}.`;
+  })();
+  byId("side").textContent = words;
 }
 
 const number = (value) => (typeof value === "number" ? String(Number(value.toPrecision(4))) : String(value).replace(/_/g, " "));
@@ -84,29 +189,39 @@ function charts({ time, speed, torque, positions }) {
   if (torque) found.push(overTime("Torque on the bit", time, torque, { unit: `Torque (${unit})`, size: 1e3 * size }, 0));
   if (positions.length > 0) {
     const last = positions.length - 1;
-    const title = `Orbit, ${positions[last].site.replace(/_/g, " ")}; heavy: the last ${CLOSING} s; dashed: the wall`;
+    const title = `Orbit of ${data.sites.at(-1)}; heavy: the last ${CLOSING} s; dashed: the wall`;
     found.push(orbit(title, positions[last], data.width, data.clearances?.[last], closingOf(time)));
   }
-  return found;
+  return found.map(enlargeable);
 }
+
+/** A row of labels.csv in the units that are shown. */
+const rowCells = (name, value) => {
+  const { words, unit, size } = data.columns[name] ?? { words: name, unit: "", size: 1 };
+  return [unit ? `${words} (${unit})` : words, typeof value === "number" ? number(value / size) : number(value)];
+};
 
 function show(answer, lines, method, isQuick) {
   const { row, time, speed, torque, positions, milliseconds } = answer;
   byId("status").textContent = isQuick && method !== data.method
     ? `By ${method} while you drag; by ${data.method} when you let go. ${Math.round(milliseconds)} ms.`
     : `By ${method}, as sweep simulate has it. ${Math.round(milliseconds)} ms.`;
-  byId("regime").textContent = number(row.torsion ?? row.lateral ?? "");
+  if (data.slow && method !== data.slow) byId("status").textContent += SLOW;
+  byId("regime").textContent = [row.torsion, row.lateral].filter((label) => label).map(number).join(", ");
   byId("row").replaceChildren();
   for (const [name, value] of Object.entries(row)) {
     if (value === null || ["case", "method", "torsion", "lateral"].includes(name) || name in values) continue;
     const line = byId("row").insertRow();
-    line.insertCell().textContent = name;
-    line.insertCell().textContent = number(value);
+    for (const text of rowCells(name, value)) line.insertCell().append(...indexed(text));
   }
-  byId("motion").replaceChildren(...charts({ time, speed, torque, positions }));
+  const all = charts({ time, speed, torque, positions });
+  // What the label is about leads.
+  const lead = row.torsion ? all.shift() : all.pop();
+  const others = all;
+  byId("lead").replaceChildren(...(lead ? [lead] : []));
+  byId("motion").replaceChildren(...others);
   if (lines) showMap(lines);
-  const set = Object.entries(changes()).map(([axis, value]) => ` --set ${axis}=${value}`).join("");
-  byId("command").value = `${data.command}${set}`;
+  byId("command").value = `${data.command}${changesInWords()}`;
   document.body.dataset.shown = JSON.stringify({ method, set: changes(), milliseconds });
   window.shown = answer;
 }
@@ -114,6 +229,7 @@ function show(answer, lines, method, isQuick) {
 /** Takes a value over into both fields of its control. */
 function put(axis, value) {
   values[axis] = value;
+  complain(axis, "");
   byId(`range-${axis}`).value = value;
   byId(`number-${axis}`).value = Number(value.toPrecision(6));
 }
@@ -126,20 +242,32 @@ const rounded = (axis, value) => {
 };
 
 function controls() {
-  for (const { axis, title, value, least, most } of data.controls) {
+  for (const it of data.controls) {
+    const { axis, title, value, least, most, lowest, highest } = it;
     const field = make("fieldset");
+    const error = make("p", { class: "error", id: `error-${axis}`, role: "alert" });
     const range = make("input", { type: "range", id: `range-${axis}`, min: least, max: most, step: "any" });
-    const typed = make("input", { type: "number", id: `number-${axis}`, step: "any", "aria-label": title });
-    field.append(make("label", { for: range.id }, title), range, typed);
+    const typed = make("input", { type: "number", id: `number-${axis}`, step: "any", min: lowest, max: highest, "aria-label": title, "aria-describedby": error.id });
+    field.append(make("label", { for: range.id }, ...indexed(title)), range, typed, error);
     byId("controls").append(field);
     // Steps of the keyboard.
     range.step = (most - least) / 500;
-    const moved = (quick) => { values[axis] = rounded(axis, range.valueAsNumber); typed.value = values[axis]; redraw(quick); };
+    const moved = (quick) => {
+      changed = axis;
+      values[axis] = rounded(axis, range.valueAsNumber);
+      typed.value = values[axis];
+      complain(axis, "");
+      redraw(quick);
+    };
     put(axis, value);
     range.addEventListener("input", () => moved(true));
     range.addEventListener("change", () => moved(false));
+    typed.addEventListener("input", () => complain(axis, wrongWith(it, typed.valueAsNumber)));
     typed.addEventListener("change", () => {
-      if (!Number.isFinite(typed.valueAsNumber)) return;
+      const wrong = wrongWith(it, typed.valueAsNumber);
+      complain(axis, wrong);
+      if (wrong) return;
+      changed = axis;
       values[axis] = typed.valueAsNumber;
       range.value = values[axis];
       redraw(false);
@@ -151,6 +279,7 @@ function mapControls() {
   const map = byId("map");
   const { axes } = data.map;
   const go = (places, quick) => {
+    changed = axes[0];
     axes.forEach((axis, at) => put(axis, rounded(axis, places[at])));
     redraw(quick);
   };
@@ -192,7 +321,7 @@ byId("reset").addEventListener("click", () => {
     data.clearances = sweep.clearances_mm;
     controls();
     if (data.map) mapControls();
-    else byId("map").remove();
+    else [byId("map"), byId("side")].forEach((element) => element.remove());
     byId("live").hidden = false;
     byId("still").hidden = true;
     await redraw(false);

@@ -1,10 +1,11 @@
 // Charts of the pages of `sweep report` and `sweep explore`: an SVG of lines that fills the room
 // there is, with words around it that keep their size. `plot.css` has their looks.
 //
-//   chart({ title, words, ends, lines, shape, circle, here })   a chart
+//   chart({ title, words, ends, lines, shape, circle, here, sides, names })   a chart
 //       words: what is along x and along y; ends: [[low, high], [low, high]]; lines:
 //       [{ x, y, look }], whose look is a class; shape: width over height; circle: the radius of
-//       a wall around the origin; here: a place [x, y] with a dot.
+//       a wall around the origin; here: a place [x, y] with a dot; sides: areas, each as its
+//       corners { x, y }; names: words at places, [{ text, at: [x, y] }].
 //   overTime(title, time, values, { unit, size }, also)         a quantity over time, s
 //   orbit(title, { x, y }, { unit, size }, clearance, closing)  an orbit in its hole, heavy from
 //       the step `closing` on
@@ -27,6 +28,10 @@ const draw = (name, attributes) => {
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
   return element;
 };
+
+/** Words with the indices of T_s, μ_d and the like below the line. */
+const indexed = (text) =>
+  text.split(/(?<=\S)_(\w)(?!\w)/).map((piece, place) => (place % 2 ? make("sub", {}, piece) : piece));
 
 /** A number in digits that are read, all of them where one looks closer. */
 const readable = (value) => {
@@ -67,7 +72,7 @@ const thinned = (x, y, across, down) => {
 };
 
 /** What is inside the frame of a chart; `place` gives a value's place along an axis, from 0 to 1. */
-const drawn = ({ title, ends, lines, shape, circle }, ticks, place) => {
+const drawn = ({ title, ends, lines, shape, circle, sides = [] }, ticks, place) => {
   const [width, height] = [600, 600 / shape];
   const across = (value) => place(0, value) * width;
   const down = (value) => (1 - place(1, value)) * height;
@@ -79,6 +84,10 @@ const drawn = ({ title, ends, lines, shape, circle }, ticks, place) => {
     const [rx, ry] = [0, 1].map((axis) => (circle / (ends[axis][1] - ends[axis][0])) * [width, height][axis]);
     svg.append(draw("ellipse", { class: "wall", cx: across(0), cy: down(0), rx, ry }));
   }
+  for (const { x, y } of sides) {
+    const points = thinned(x, y, across, down);
+    if (points.length > 0) svg.append(draw("path", { class: "side", d: `M${points.join("L")}z` }));
+  }
   for (const { x, y, look } of lines) {
     const points = thinned(x, y, across, down);
     if (points.length > 0) svg.append(draw("path", { class: look, d: `M${points.join("L")}` }));
@@ -87,7 +96,7 @@ const drawn = ({ title, ends, lines, shape, circle }, ticks, place) => {
 };
 
 const chart = (asked) => {
-  const { title, words, ends, shape, here } = asked;
+  const { title, words, ends, shape, here, names = [] } = asked;
   const place = (axis, value) => (value - ends[axis][0]) / (ends[axis][1] - ends[axis][0]);
   const ticks = ends.map(([low, high], axis) => ticksOf(low, high, axis ? 4 : 6));
   const spans = (axis, side) =>
@@ -105,18 +114,27 @@ const chart = (asked) => {
     dot.style.bottom = `${100 * place(1, here[1])}%`;
     area.append(dot);
   }
+  for (const { text, at } of names) {
+    const name = make("span", { class: "name" }, text);
+    const [right, up] = [0, 1].map((axis) => place(axis, at[axis]));
+    // Those on the right half stand to the left of their place.
+    if (right <= 0.5) name.style.left = `${100 * right}%`;
+    else name.style.right = `${100 * (1 - right)}%`;
+    name.style.top = `${100 * (1 - up)}%`;
+    area.append(name);
+  }
   return make(
     "div",
-    { class: "panel" },
+    { class: shape === 1 ? "panel square" : "panel" },
     make("h4", {}, title),
     make(
       "div",
       { class: "plot" },
-      make("div", { class: "title-y" }, make("span", {}, words[1])),
+      make("div", { class: "title-y" }, make("span", {}, ...indexed(words[1]))),
       make("div", { class: "axis-y" }, make("i", { "aria-hidden": "true" }, widest), ...spans(1, "bottom")),
       area,
       make("div", { class: "axis-x" }, ...spans(0, "left")),
-      make("div", { class: "title-x" }, words[0]),
+      make("div", { class: "title-x" }, ...indexed(words[0])),
     ),
   );
 };

@@ -1,5 +1,7 @@
 //! Whether the methods agree.
 
+use serde::{Serialize, Serializer};
+
 use crate::map::symbol_of;
 use plot::Symbol;
 use results::folder::CaseRows;
@@ -9,31 +11,42 @@ use sim::Motion;
 const MOST_LISTED: usize = 30;
 
 /// How far the methods agree on the same cases.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Agreement {
     /// Every two methods.
     pub pairs: Vec<Pair>,
     /// Of each motion, what its map shows.
+    #[serde(serialize_with = "by_motion")]
     pub shown: Vec<(Motion, Shown)>,
     /// Cases on which answers differ.
     pub differing: usize,
-    /// The first of them.
+    /// The first of them, whose values are along the axes of the sweep.
+    #[serde(skip)]
     pub listed: Vec<CaseRows>,
 }
 
 /// How many cases a map shows by each symbol.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Shown {
     /// Every method finds sustained vibration.
+    #[serde(rename = "all_sustained")]
     pub circles: usize,
     /// No method does.
+    #[serde(rename = "none_sustained")]
     pub crosses: usize,
     /// The methods differ.
+    #[serde(rename = "methods_differ")]
     pub squares: usize,
     /// The start decides.
+    #[serde(rename = "bistable")]
     pub diamonds: usize,
     /// Not drawn: some method has no answer, or an undetermined one.
+    #[serde(rename = "undetermined")]
     pub undrawn: usize,
+}
+
+fn by_motion<S: Serializer>(shown: &[(Motion, Shown)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(shown.iter().copied())
 }
 
 impl Shown {
@@ -50,7 +63,7 @@ impl Shown {
 }
 
 /// Two methods.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Pair {
     /// Their names.
     pub methods: [String; 2],

@@ -2,12 +2,15 @@
 
 use sim::Label;
 
+use super::bars::interval_bars;
 use super::deciding;
 use super::document::{Block, Section, Table};
+use super::phrases::capital;
+use super::ranges::range_chart;
 use campaign::quantities::Units;
 use campaign::sweep_file::DesignKind;
 use campaign::words::{counted, short};
-use results::analysis::{Bins, Counts, Interval, MethodBlocks, cases_for, wilson};
+use results::analysis::{Bins, Counts, Interval, MethodBlocks, more_cases, wilson};
 use results::folder::Manifest;
 
 /// The sections about counts: the first in all, then over each axis, then those asked for, which
@@ -79,7 +82,9 @@ fn regimes(counts: &Counts, width: Option<f64>) -> Vec<Block> {
     if width.is_some() {
         header.push("more cases");
     }
-    let mut table = Table::new("How often, with 95 % intervals", header);
+    let caption = "How often, with 95 % intervals";
+    let mut table = Table::new(caption, header);
+    let mut bars: Vec<(String, [f64; 3])> = Vec::new();
     for (method, motion, group) in &counts.groups {
         for label in Label::all(*motion) {
             let Some(count) = group.labels.get(&label).map(|cells| cells[0]) else {
@@ -88,12 +93,16 @@ fn regimes(counts: &Counts, width: Option<f64>) -> Vec<Block> {
             let Some(interval) = wilson(count, group.all[0]) else {
                 continue;
             };
+            let name = format!("{} by {method}", label.name().replace('_', " "));
+            bars.push((
+                capital(&name),
+                [interval.value, interval.low, interval.high],
+            ));
             let mut cells = vec![method.clone(), label.name().to_owned(), count.to_string()];
             cells.extend(ends(interval));
-            cells.extend(width.map(|width| {
-                let needed = cases_for(interval.value, width);
-                needed.saturating_sub(group.all[0]).to_string()
-            }));
+            cells.extend(
+                width.map(|width| more_cases(interval.value, group.all[0], width).to_string()),
+            );
             table.rows.push(cells);
         }
     }
@@ -106,7 +115,10 @@ fn regimes(counts: &Counts, width: Option<f64>) -> Vec<Block> {
             "{}; {unanswered}.",
             counted(counts.rows, "simulation")
         )),
-        Block::Table(table),
+        Block::Picture {
+            html: interval_bars(caption, bars.iter().map(|(name, it)| (name.as_str(), *it))),
+            table,
+        },
     ];
     if let Some(width) = width {
         blocks.push(Block::Text(format!(
@@ -124,19 +136,16 @@ fn cells(counts: &Counts, units: Units) -> Vec<Block> {
     let tables = counts.groups.iter().map(|(method, motion, group)| {
         let sustained = group.sustained();
         let description = format!("{} by {method}", motion.regimes()[0]);
-        Block::Table(match &counts.bins[..] {
-            [x, y] => over_two(&description, [x, y], &sustained, units),
-            _ => over_one(&description, &counts.bins[0], &sustained, units),
-        })
+        match &counts.bins[..] {
+            [x, y] => Block::Table(over_two(&description, [x, y], &sustained, units)),
+            [bins, ..] => Block::Picture {
+                html: range_chart(method, *motion, bins, &sustained, units),
+                table: over_one(&description, bins, &sustained, units),
+            },
+            [] => Block::Text(String::new()),
+        }
     });
     tables.collect()
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }
 
 /// A range of an axis in some units.

@@ -1,6 +1,6 @@
 //! A regime map in characters.
 
-use crate::map::{Cells, Extent, meanings};
+use crate::map::{Cells, Extent};
 use sim::Motion;
 
 use campaign::quantities::Axis;
@@ -49,7 +49,7 @@ pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Ax
 /// What the characters on the map mean.
 fn legend(cells: &Cells, motion: Motion) -> String {
     let joined = cells.joined();
-    let keys: String = (meanings(motion, " by all methods").into_iter())
+    let keys: String = (Symbol::meanings(motion.regimes(), " by all methods").into_iter())
         .filter(|(symbol, _)| {
             let fill = CellFill::Symbol(*symbol);
             joined.iter().any(|cell| cell.fill == fill)

@@ -1,7 +1,9 @@
 //! Which axis decides, in words and tables: from cases as they were drawn, or from blocks of them
 //! that were made to tell.
 
+use super::bars::interval_bars;
 use super::document::{Block, Table};
+use super::phrases::{capital, plain};
 use campaign::words::counted;
 use results::analysis::{
     Counts, DRAWN, IndexUnavailable, Indices, LEAST_BLOCKS, MethodBlocks, sensitivity,
@@ -15,9 +17,12 @@ pub fn of_cases(manifest: &Manifest, of_axes: &[Counts]) -> Vec<Block> {
                    alone, with 95 % intervals";
     let header = ["method", "motion", "axis", "index", "from", "to"];
     let mut table = Table::new(caption, header);
+    let mut html = String::new();
+    let units = manifest.sweep.units;
     let groups = of_axes.first().map_or(&[][..], |counts| &counts.groups);
     for (index, (method, motion, _)) in groups.iter().enumerate() {
         let mut rows: Vec<(f64, Vec<String>)> = Vec::new();
+        let mut bars: Vec<(String, [f64; 3])> = Vec::new();
         for counts in of_axes {
             let (_, _, group) = &counts.groups[index];
             let Some(found) = sensitivity(&group.sustained()) else {
@@ -30,8 +35,15 @@ pub fn of_cases(manifest: &Manifest, of_axes: &[Counts]) -> Vec<Block> {
             ];
             row.extend([found.value, found.low, found.high].map(|it| format!("{it:.3}")));
             rows.push((found.value, row));
+            let name = capital(&plain(counts.bins[0].axis, units));
+            bars.push((name, [found.value, found.low, found.high]));
         }
         rows.sort_by(|one, other| other.0.total_cmp(&one.0));
+        bars.sort_by(|one, other| other.1[0].total_cmp(&one.1[0]));
+        let [regime, _] = motion.regimes();
+        let caption = format!("What decides {regime} by {method}: variance explained alone");
+        let bars = bars.iter().map(|(name, values)| (name.as_str(), *values));
+        html += &interval_bars(&caption, bars);
         table.rows.extend(rows.into_iter().map(|(_, row)| row));
     }
     if table.rows.is_empty() {
@@ -43,7 +55,7 @@ pub fn of_cases(manifest: &Manifest, of_axes: &[Counts]) -> Vec<Block> {
     } else {
         "What they lack to 1 in all is what axes do together, and what differs within a range."
     };
-    vec![Block::Table(table), Block::Text(note.to_owned())]
+    vec![Block::Picture { html, table }, Block::Text(note.to_owned())]
 }
 
 /// From the blocks of a sensitivity design, for each method and quantity.
@@ -61,7 +73,9 @@ pub fn of_blocks(manifest: &Manifest, methods: &[MethodBlocks]) -> Vec<Block> {
                         true => name,
                         false => format!("{name}, of {} that have it", of_quantity.count),
                     };
-                    blocks.push(Block::Table(table(manifest, name, &found)));
+                    let html = in_bars(manifest, &name, &found);
+                    let table = table(manifest, name, &found);
+                    blocks.push(Block::Picture { html, table });
                 }
                 Err(IndexUnavailable::Rare(count)) => blocks.push(Block::Text(format!(
                     "{name}: {count} independent cases alone differ from the others, too few to \
@@ -102,6 +116,23 @@ fn blocks_text(of_method: &MethodBlocks) -> String {
         text += &format!("; {} not finished", of_method.unfinished);
     }
     text + "."
+}
+
+/// What each axis explains in all, that first which explains most.
+fn in_bars(manifest: &Manifest, name: &str, found: &[Indices]) -> String {
+    let names = manifest.axes.iter();
+    let names = names.map(|&axis| capital(&plain(axis, manifest.sweep.units)));
+    let mut bars: Vec<(String, [f64; 3])> = names
+        .zip(found)
+        .map(|(name, indices)| {
+            let total = indices.total;
+            (name, [total.value, total.low, total.high])
+        })
+        .collect();
+    bars.sort_by(|one, other| other.1[0].total_cmp(&one.1[0]));
+    let bars = bars.iter().map(|(name, values)| (name.as_str(), *values));
+    let caption = format!("{}: variance explained in all", capital(name));
+    interval_bars(&caption, bars)
 }
 
 /// The axes of one quantity, that first which does most.

@@ -1,4 +1,5 @@
-//! The parts of a summary or a report: paragraphs, tables and maps, without any layout.
+//! The parts of a summary or a report: paragraphs, facts, tables, pictures and maps, without any
+//! layout.
 
 use super::results::Results;
 
@@ -9,8 +10,19 @@ pub type Section = (&'static str, Vec<Block>);
 pub enum Block {
     /// A paragraph.
     Text(String),
+    /// A heading within a section.
+    Heading(String),
+    /// Names with what is to be said of each.
+    Facts(Vec<(String, String)>),
     /// A table.
     Table(Table),
+    /// Numbers that a page draws, with their table folded below; a terminal has the table.
+    Picture {
+        /// The drawing.
+        html: String,
+        /// Its numbers.
+        table: Table,
+    },
     /// The regime map of a results folder.
     Map(Map),
     /// A long text: a page folds it, a terminal leaves it out.
@@ -19,6 +31,13 @@ pub enum Block {
         title: String,
         /// Line by line.
         text: String,
+    },
+    /// Details: a page folds them, a terminal shows them as they are.
+    Details {
+        /// What they are of.
+        title: String,
+        /// The details.
+        blocks: Vec<Block>,
     },
 }
 
@@ -108,4 +127,9 @@ pub fn named(all: &[Results], results: &Results, text: impl std::fmt::Display) -
     } else {
         text.to_string()
     }
+}
+
+/// What is said of a name.
+pub fn fact(name: &str, text: String) -> (String, String) {
+    (name.to_owned(), text)
 }

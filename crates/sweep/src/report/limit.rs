@@ -1,22 +1,32 @@
 //! Where the simulated boundary lies against the analytic limit.
 
+use serde::Serialize;
 use sim::{Label, LateralRegime, Motion};
 
 use campaign::quantities::Axis;
 use limits::{Boundary, Envelope, StickSlipPoint, rolling_envelope};
 use results::folder::{CaseRows, LabelRow};
 
+/// Cases on one side of a limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct SideCounts {
+    /// Those that vibrate.
+    pub vibrating: usize,
+    /// Those that do not.
+    pub quiet: usize,
+}
+
 /// How one method's labels lie about its limit. A case's place is its value in
 /// multiples of the limit: the surface speed for stick-slip, which Eq. 74 allows
 /// below one; the friction for backward whirl, which rolls steadily only above one.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct LimitCheck {
     /// The method.
     pub method: String,
-    /// Cases below the limit that vibrate, and that do not.
-    pub below: [usize; 2],
-    /// The same above it.
-    pub above: [usize; 2],
+    /// Cases below the limit.
+    pub below: SideCounts,
+    /// Those above it.
+    pub above: SideCounts,
     /// The place of the vibrating case furthest to the forbidden side.
     pub last_vibrating: Option<f64>,
     /// The place of the quiet case furthest to the allowed side.
@@ -24,7 +34,8 @@ pub struct LimitCheck {
 }
 
 /// What is limited.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Limited {
     /// The surface speed at which stick-slip can sustain itself.
     StickSlip,
@@ -33,17 +44,20 @@ pub enum Limited {
 }
 
 /// The limit, and what lies on its two sides.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LimitChecks {
     /// What is limited.
     pub limited: Limited,
     /// A check for every method.
     pub checks: Vec<LimitCheck>,
     /// The limit for every method, over the value that it depends on.
+    #[serde(skip)]
     lines: Vec<Envelope>,
     /// Places among the values of a case: of what is limited, and of what that
     /// depends on.
+    #[serde(skip)]
     value: usize,
+    #[serde(skip)]
     along: Option<usize>,
 }
 
@@ -126,7 +140,12 @@ impl LimitCheck {
         } else {
             &mut self.above
         };
-        side[usize::from(!vibrates)] += 1;
+        let count = if vibrates {
+            &mut side.vibrating
+        } else {
+            &mut side.quiet
+        };
+        *count += 1;
         let (last, is_greatest) = if vibrates {
             (&mut self.last_vibrating, allows_below)
         } else {
@@ -167,7 +186,11 @@ mod tests {
             });
         }
         let check = &limits.checks[0];
-        assert_eq!((check.below, check.above), ([1, 1], [1, 1]));
+        let one_each = SideCounts {
+            vibrating: 1,
+            quiet: 1,
+        };
+        assert_eq!((check.below, check.above), (one_each, one_each));
         assert!((check.last_vibrating.expect("one") - 1.1).abs() < 1e-12);
         assert!((check.last_quiet.expect("one") - 0.8).abs() < 1e-12);
     }

@@ -2,12 +2,14 @@
 //!
 //! `results` reads a folder in one pass over its cases, so that memory does not grow
 //! with them; `comparison` compares two folders. `sections` makes words and tables of
-//! both, which a terminal (`text`) and a page (`page`) show alike; of maps
-//! `live_map` makes a drawing that answers who points at it. `analysed` and `deciding` are of
-//! counts of random cases, as `sweep analyse` tells them.
+//! both, which a terminal (`text`) and a page (`page`) show alike: first the `opening`, in the
+//! `phrases` of a driller, for which `lattice` finds where regimes begin. Of maps `live_map` makes a
+//! drawing that answers who points at it, of counts `bars` and `ranges` make pictures. `analysed` and
+//! `deciding` are of counts of random cases, as `sweep analyse` tells them.
 
 mod agreement;
 mod analysed;
+mod bars;
 mod character_map;
 mod comparison;
 mod deciding;
@@ -15,12 +17,17 @@ mod document;
 mod escaping;
 mod failures;
 mod html;
+mod lattice;
 mod limit;
 mod live_map;
+mod opening;
 mod page;
+mod phrases;
 mod provenance;
+mod ranges;
 mod results;
 mod sections;
+mod summary;
 mod text;
 
 pub use analysed::analysed_sections;
@@ -32,4 +39,5 @@ pub use live_map::shown;
 pub use page::{is_page, page};
 pub use results::Results;
 pub use sections::sections;
+pub use summary::SummaryFound;
 pub use text::text;

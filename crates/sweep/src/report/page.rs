@@ -8,9 +8,9 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use sha2::{Digest, Sha256};
 
-use super::document::{Block, Map, Section};
+use super::document::{Block, Map, Section, Table};
 use super::escaping::{escaped, json};
-use super::html::{element, table};
+use super::html::{details, element, facts, table};
 use super::live_map::{DEFINITIONS, ENGINE, SCRIPT, STYLE as MAP_STYLE};
 use super::results::Results;
 use results::files::is_absent;
@@ -103,28 +103,35 @@ pub fn is_page(path: &Path) -> std::io::Result<bool> {
     Ok((content.windows(mark.len())).any(|window| window == mark.as_bytes()))
 }
 
-/// Maps that follow each other stand side by side where there is room.
-fn blocks(blocks: &[Block]) -> String {
+/// Maps and pictures that follow each other stand side by side where there is room.
+fn blocks(content: &[Block]) -> String {
     let mut html = String::new();
     let mut maps = String::new();
-    for block in blocks {
-        if let Block::Map(map) = block {
-            maps += &figure(map);
-            continue;
+    for block in content {
+        match block {
+            Block::Map(map) => {
+                maps += &figure(map);
+                continue;
+            }
+            Block::Picture { html, table } => {
+                maps += &picture(html, table);
+                continue;
+            }
+            _ => {}
         }
         html += &side_by_side(&std::mem::take(&mut maps));
-        match block {
-            Block::Text(paragraph) => html += &element("p", paragraph),
-            Block::Table(content) => html += &table(content),
+        html += &match block {
+            Block::Text(paragraph) => element("p", paragraph),
+            Block::Heading(heading) => element("h3", heading),
+            Block::Facts(content) => facts(content),
+            Block::Table(content) => table(content),
             Block::Folded { title, text } => {
-                let (title, text) = (escaped(title), escaped(text));
-                html += &format!(
-                    "<details>\n<summary>{title}</summary>\n<pre tabindex=\"0\">{text}</pre>\n\
-                     </details>\n"
-                );
+                let text = escaped(text);
+                details(title, &format!("<pre tabindex=\"0\">{text}</pre>\n"))
             }
-            Block::Map(_) => {}
-        }
+            Block::Details { title, blocks: of } => details(title, &blocks(of)),
+            Block::Map(_) | Block::Picture { .. } => String::new(),
+        };
     }
     html + &side_by_side(&maps)
 }
@@ -134,6 +141,12 @@ fn side_by_side(maps: &str) -> String {
         return String::new();
     }
     format!("<div class=\"maps\">\n{maps}</div>\n")
+}
+
+/// A picture with its numbers folded below.
+fn picture(html: &str, numbers: &Table) -> String {
+    let numbers = details("Numbers", &table(numbers));
+    format!("<figure>\n{html}{numbers}</figure>\n")
 }
 
 /// The map as the page draws it, and in characters, which stand alone where it draws none.
@@ -146,8 +159,6 @@ fn figure(map: &Map) -> String {
     let cases = map.cases.map_or_else(String::new, |place| {
         format!(" data-cases=\"{}\"", cases_id(place))
     });
-    format!(
-        "<figure{cases}>\n{caption}{html}<details>\n<summary>The map in characters</summary>\n\
-         {characters}</details>\n</figure>\n"
-    )
+    let characters = details("The map in characters", &characters);
+    format!("<figure{cases}>\n{caption}{html}{characters}</figure>\n")
 }

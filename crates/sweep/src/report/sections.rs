@@ -3,19 +3,21 @@
 use sim::{Label, Motion};
 
 use super::analysed::analysed_sections;
+use super::bars::{ShareBar, share_bars};
 use super::comparison::{FolderComparison, Unlike};
 use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, table_of};
-use super::limit::{LimitCheck, Limited};
+use super::failures::FailureRow;
+use super::limit::{LimitCheck, Limited, SideCounts};
+use super::opening::opening;
 use super::provenance::{provenance, time};
 use super::results::Results;
 use campaign::words::{counted, short};
-use results::folder::Manifest;
 
 /// Everything there is to say of one folder, or of several side by side;
 /// `comparisons` are those of the first with each of the others.
 pub fn sections(all: &[Results], comparisons: &[Result<FolderComparison, Unlike>]) -> Vec<Section> {
     let sections = [
-        ("What was run", overview(all)),
+        ("In short", opening(all)),
         ("Regime map", maps(all)),
         ("Regimes", regimes(all)),
         ("How often, how surely, what decides", analysed(all)),
@@ -23,8 +25,7 @@ pub fn sections(all: &[Results], comparisons: &[Result<FolderComparison, Unlike>
         ("The analytic limit", limits(all)),
         ("Cases without an answer", failures(all)),
         ("Between the folders", between(all, comparisons)),
-        ("Time", time(all)),
-        ("Provenance", provenance(all)),
+        ("How it was computed", computed(all)),
     ];
     let has_content = |section: &Section| !section.1.is_empty();
     sections.into_iter().filter(has_content).collect()
@@ -35,65 +36,6 @@ fn percentage(part: usize, whole: usize) -> String {
         return NOTHING.to_owned();
     }
     format!("{:.1} %", 100.0 * part as f64 / whole as f64)
-}
-
-/// How many cases; of a trace, out of how many.
-fn cases_of(manifest: &Manifest) -> String {
-    match &manifest.trace {
-        None if manifest.is_trace() => format!(
-            "Limits traced on a grid of {}",
-            counted(manifest.cases, "case")
-        ),
-        None => counted(manifest.cases, "case"),
-        Some(trace) => format!(
-            "Limits traced with {} of the {} of the equivalent grid",
-            counted(trace.simulated, "case"),
-            trace.cases_of_grid
-        ),
-    }
-}
-
-fn overview(all: &[Results]) -> Vec<Block> {
-    let paragraphs = all.iter().map(|results| {
-        let manifest = &results.manifest;
-        let tally = &manifest.tally;
-        let methods = results.methods();
-        let part = manifest.shard.map_or_else(String::new, |shard| {
-            format!(" This is shard {shard}, a part of it.")
-        });
-        let so_far = results.tables.so_far.map_or_else(String::new, |so_far| {
-            format!(" It is {so_far} are done; cases that every method has answered are shown.")
-        });
-        let failed = match tally.failed {
-            0 => "Every one has an answer.".to_owned(),
-            failed => format!("{failed} of them have no answer."),
-        };
-        let settled = match tally.settled_checked {
-            0 => String::new(),
-            checked => format!(
-                " Settled, and followed to the end all the same: {}, of which {} with another \
-                 label in the end.",
-                counted(checked, "simulation"),
-                tally.settled_wrong
-            ),
-        };
-        let found: String = (tally.found_words())
-            .map(|words| format!(" {words}."))
-            .collect();
-        Block::Text(format!(
-            "{}: {}. {} by {} ({}).{part}{so_far} {}. {failed}{settled}{found}",
-            results.name,
-            manifest.title,
-            cases_of(manifest),
-            match methods.len() {
-                1 => "one method".to_owned(),
-                count => format!("{count} methods"),
-            },
-            methods.join(", "),
-            counted(tally.rows, "simulation"),
-        ))
-    });
-    paragraphs.collect()
 }
 
 fn maps(all: &[Results]) -> Vec<Block> {
@@ -131,9 +73,14 @@ fn regimes(all: &[Results]) -> Vec<Block> {
             1 => "Cases of each regime, by method".to_owned(),
             _ => format!("Cases of each {} regime, by method", motion.adjective()),
         };
-        Block::Table(regimes_of(all, motion, &caption))
+        let (html, table) = regimes_of(all, motion, &caption);
+        Block::Picture { html, table }
     });
-    tables.collect()
+    let found = all.iter().flat_map(|results| {
+        let words = results.manifest.tally.found_words();
+        words.map(|words| note(all, results, format!("{words}.")))
+    });
+    tables.chain(found).collect()
 }
 
 /// The motions that any of the folders has labels of.
@@ -145,7 +92,8 @@ fn motions(all: &[Results]) -> Vec<Motion> {
     Motion::ALL.into_iter().filter(has).collect()
 }
 
-fn regimes_of(all: &[Results], motion: Motion, caption: &str) -> Table {
+/// How much of each regime, in bars and in a table.
+fn regimes_of(all: &[Results], motion: Motion, caption: &str) -> (String, Table) {
     let is_found = |label: &Label| {
         all.iter().any(|results| {
             let mut methods = results.methods().into_iter();
@@ -162,16 +110,25 @@ fn regimes_of(all: &[Results], motion: Motion, caption: &str) -> Table {
         .chain(["no answer"])
         .collect();
     let mut table = table_of(all, caption, &header);
+    let mut bars = Vec::new();
     for results in all {
         for method in results.methods() {
             let counts = labels.iter().map(|label| results.count(method, *label));
             let failed = results.failures.by_method.get(method).copied().unwrap_or(0);
-            let cells = counts.chain([failed]).map(|count| count.to_string());
+            let counts: Vec<usize> = counts.chain([failed]).collect();
+            bars.push(ShareBar {
+                name: named(all, results, method),
+                parts: (labels.iter().map(|label| label.name()))
+                    .chain(["failed"])
+                    .zip(counts.iter().copied())
+                    .collect(),
+            });
+            let cells = counts.iter().map(|count| count.to_string());
             let cells = [method.to_owned()].into_iter().chain(cells).collect();
             table.rows.push(row_of(all, results, cells));
         }
     }
-    table
+    (share_bars(caption, &bars), table)
 }
 
 /// Of random cases, with the name of the folder before where there are several.
@@ -227,16 +184,22 @@ fn agreement(all: &[Results]) -> Vec<Block> {
             symbols.rows.push(row_of(all, results, cells));
         }
     }
-    if pairs.rows.is_empty() {
-        blocks.push(Block::Text("There is only one method.".to_owned()));
-    } else {
+    if !pairs.rows.is_empty() {
         blocks.push(Block::Table(pairs));
     }
-    blocks.push(Block::Table(symbols));
     blocks.extend(certain(all));
+    blocks.push(folded(symbols));
     let differing = all.iter().filter(|results| results.agreement.differing > 0);
-    blocks.extend(differing.map(|results| Block::Table(differing_cases(all, results))));
+    blocks.extend(differing.map(|results| folded(differing_cases(all, results))));
     blocks
+}
+
+/// A table that a page folds.
+fn folded(table: Table) -> Block {
+    Block::Details {
+        title: table.caption.clone(),
+        blocks: vec![Block::Table(table)],
+    }
 }
 
 /// How many labels are certain, where any folder tells that.
@@ -308,11 +271,9 @@ fn extent(listed: usize, all: usize) -> String {
 fn limits(all: &[Results]) -> Vec<Block> {
     let of_folder = |results: &Results| {
         let Some(limits) = &results.limits else {
-            let text = match results.tables.so_far {
-                None => "No limit is known for these cases.",
-                Some(_) => "The limit is given when the run is finished.",
-            };
-            return note(all, results, text);
+            let text = "The limit is given when the run is finished.";
+            let is_running = results.tables.so_far.is_some();
+            return is_running.then(|| note(all, results, text));
         };
         let (caption, last) = match limits.limited {
             Limited::StickSlip => (
@@ -329,19 +290,19 @@ fn limits(all: &[Results]) -> Vec<Block> {
         let header = ["method", "below the limit", "above it", last[0], last[1]];
         let mut table = Table::new(named(all, results, caption), header);
         table.rows.extend(limits.checks.iter().map(limit_row));
-        Block::Table(table)
+        Some(folded(table))
     };
     let forward = |results: &Results| {
         let contact = results.manifest.forward_contact.as_ref()?;
         let words = contact.words(results.manifest.sweep.units);
         Some(note(all, results, format!("Forward whirl: {words}.")))
     };
-    let blocks = all.iter().map(of_folder);
+    let blocks = all.iter().filter_map(of_folder);
     blocks.chain(all.iter().filter_map(forward)).collect()
 }
 
 fn limit_row(check: &LimitCheck) -> Vec<String> {
-    let counts = |[vibrating, quiet]: [usize; 2]| format!("{vibrating} / {quiet}");
+    let counts = |side: SideCounts| format!("{} / {}", side.vibrating, side.quiet);
     let place = |place: Option<f64>| {
         place.map_or_else(|| NOTHING.to_owned(), |place| format!("{place:.3}"))
     };
@@ -358,17 +319,30 @@ fn failures(all: &[Results]) -> Vec<Block> {
     let of_folder = |results: &Results| {
         let (listed, count) = (&results.failures.listed, results.failures.count());
         if count == 0 {
-            return note(all, results, "None.");
+            return None;
         }
         let caption = format!("Failed simulations{}", extent(listed.len(), count));
         let header = ["case", "method", "reason", "repeat with"];
         let mut table = Table::new(named(all, results, caption), header);
-        table
-            .rows
-            .extend(listed.iter().map(|failure| failure.to_vec()));
-        Block::Table(table)
+        table.rows.extend(listed.iter().map(failure_cells));
+        Some(Block::Table(table))
     };
-    all.iter().map(of_folder).collect()
+    all.iter().filter_map(of_folder).collect()
+}
+
+fn failure_cells(failure: &FailureRow) -> Vec<String> {
+    let FailureRow {
+        case,
+        method,
+        reason,
+        repeat_with,
+    } = failure;
+    vec![
+        case.to_string(),
+        method.clone(),
+        reason.clone(),
+        repeat_with.clone(),
+    ]
 }
 
 fn between(all: &[Results], comparisons: &[Result<FolderComparison, Unlike>]) -> Vec<Block> {
@@ -402,7 +376,31 @@ fn between(all: &[Results], comparisons: &[Result<FolderComparison, Unlike>]) ->
         let listed = extent(compared.listed.len(), compared.different);
         let mut table = Table::new(format!("Labels that differ{listed}"), header);
         table.rows.clone_from(&compared.listed);
-        blocks.push(Block::Table(table));
+        blocks.push(folded(table));
     }
     blocks
+}
+
+/// Time and provenance, for who repeats it.
+fn computed(all: &[Results]) -> Vec<Block> {
+    let settled = all.iter().filter_map(|results| {
+        let tally = &results.manifest.tally;
+        let words = || {
+            format!(
+                "Settled, and followed to the end all the same: {}, of which {} with another label \
+                 in the end.",
+                counted(tally.settled_checked, "simulation"),
+                tally.settled_wrong
+            )
+        };
+        (tally.settled_checked > 0).then(|| note(all, results, words()))
+    });
+    let details = |title: &str, blocks: Vec<Block>| Block::Details {
+        title: title.to_owned(),
+        blocks,
+    };
+    vec![
+        details("Provenance", provenance(all)),
+        details("Time", settled.chain(time(all)).collect()),
+    ]
 }

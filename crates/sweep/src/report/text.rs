@@ -12,18 +12,25 @@ pub fn text(title: &str, sections: &[Section]) -> String {
     for (title, blocks) in sections {
         let rule = "─".repeat(title.chars().count());
         text += &format!("\n{title}\n{rule}\n");
-        for block in blocks {
-            match block {
-                Block::Text(paragraph) => text += &wrapped(paragraph, 0, 0),
-                Block::Table(table) => text += &table_text(table),
-                Block::Map(map) => {
-                    text += &format!("{}\n{}", wrapped(&map.caption, 0, 0), map.characters);
-                }
-                Block::Folded { .. } => {}
-            }
-        }
+        text += &blocks_text(blocks);
     }
     text
+}
+
+fn blocks_text(blocks: &[Block]) -> String {
+    let of_block = |block: &Block| match block {
+        Block::Text(paragraph) => wrapped(paragraph, 0, 0),
+        Block::Heading(heading) => wrapped(&format!("{heading}:"), 0, 0),
+        Block::Facts(facts) => facts
+            .iter()
+            .map(|(name, text)| line_of(&format!("{name}: "), text))
+            .collect(),
+        Block::Table(table) | Block::Picture { table, .. } => table_text(table),
+        Block::Map(map) => format!("{}\n{}", wrapped(&map.caption, 0, 0), map.characters),
+        Block::Details { blocks, .. } => blocks_text(blocks),
+        Block::Folded { .. } => String::new(),
+    };
+    blocks.iter().map(of_block).collect()
 }
 
 /// A table in columns, or, where they do not fit, row by row.

@@ -180,7 +180,7 @@ fn the_tables_of_the_guide_are_those_of_the_types() {
     assert!(
         renewed == PAGE,
         "docs/sweep-file.md is not what the types are: {differing:#?}\n\
-         UPDATE_GUIDE=1 cargo test -p campaign the_tables_of_the_guide"
+         UPDATE_GUIDE=1 cargo test -p drillstring-campaign the_tables_of_the_guide"
     );
 }
 

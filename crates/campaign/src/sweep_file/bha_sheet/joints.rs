@@ -1,6 +1,7 @@
 //! A row as a section, and what its weight says of its dimensions: drillpipe is heavier than
 //! its body by its tool joints, whose dimensions sheets seldom have.
 
+use serde::Serialize;
 use toml::{Table, Value};
 
 use super::kind::ToolKind;
@@ -29,13 +30,14 @@ const SAME_WEIGHT: f64 = 0.02;
 const DOUBTFUL: f64 = 0.1;
 
 /// What a row's weight says.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct WeightCheck {
     /// Its line in the sheet.
     pub line: usize,
     /// What it is.
     pub name: String,
     /// What that says it is.
+    #[serde(skip)]
     pub kind: ToolKind,
     /// Its mass less that of the dimensions as the sheet has them, as a part of the latter.
     pub excess: Option<f64>,
@@ -44,7 +46,8 @@ pub struct WeightCheck {
 }
 
 /// What is made of a row.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Made {
     /// Tubes of its dimensions.
     AsGiven,
@@ -52,8 +55,10 @@ pub enum Made {
     /// their length, m, and how many.
     WithToolJoints {
         /// Outer diameter, m.
+        #[serde(rename = "outer_diameter_m")]
         outer_diameter: f64,
         /// Length of each, m.
+        #[serde(rename = "length_m")]
         length: f64,
         /// How many.
         joints: usize,

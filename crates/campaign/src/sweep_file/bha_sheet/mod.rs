@@ -8,6 +8,7 @@ mod rows;
 
 use std::path::Path;
 
+use serde::Serialize;
 use toml::Value;
 
 use super::error::SweepFileError;
@@ -23,19 +24,24 @@ pub use joints::WeightCheck;
 pub use kind::ToolKind;
 
 /// How a sheet's weights were treated, and what is ignored of it.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize)]
 pub struct SheetNotes {
     /// The sheet, as the file names it.
     pub file: String,
     /// The check of each row with a weight.
+    #[serde(rename = "weights")]
     pub rows: Vec<WeightCheck>,
     /// Names of columns that are not used.
+    #[serde(rename = "ignored_columns")]
     pub ignored: Vec<String>,
     /// Lines below the headings that begin with `#`, which are comments.
+    #[serde(skip)]
     pub comments: Vec<usize>,
     /// Lines that add up others, which are ignored.
+    #[serde(skip)]
     pub totals: Vec<usize>,
     /// Whether the rows are from the bit up, where they say so themselves.
+    #[serde(skip)]
     pub order_inferred: Option<bool>,
 }
 

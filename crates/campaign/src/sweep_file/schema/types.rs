@@ -17,6 +17,11 @@ pub fn of_types() -> Value {
         .to_value()
 }
 
+/// The choices that a keyword of a schema lists.
+fn choices<'schema>(schema: &'schema Schema, keyword: &str) -> Option<&'schema [Value]> {
+    schema.get(keyword)?.as_array().map(Vec::as_slice)
+}
+
 /// TOML has no null: what is optional is left out. Formats of numbers are those of Rust; a
 /// default that is a table is given by the defaults of its keys; a description is one paragraph.
 fn as_toml_has_it(schema: &mut Schema) {
@@ -26,15 +31,11 @@ fn as_toml_has_it(schema: &mut Schema) {
             choices.retain(|choice| !is_null(choice));
         }
     }
-    if let Some(Value::Array(kinds)) = schema.get("type")
-        && let [kind] = kinds.as_slice()
-    {
+    if let Some([kind]) = choices(schema, "type") {
         let kind = kind.clone();
         schema.insert("type".to_owned(), kind);
     }
-    if let Some(Value::Array(choices)) = schema.get("anyOf")
-        && let [Value::Object(only)] = choices.as_slice()
-    {
+    if let Some([Value::Object(only)]) = choices(schema, "anyOf") {
         let only = only.clone();
         schema.remove("anyOf");
         for (keyword, value) in only {

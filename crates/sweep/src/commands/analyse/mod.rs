@@ -1,11 +1,15 @@
 //! `sweep analyse`: how often each regime occurs in a results folder, how sure that is, and which
 //! axis decides.
 
+mod found;
 mod picture;
 mod table;
 
+use std::path::Path;
+
 use anyhow::{Result, bail};
 
+use super::document::say_document;
 use super::folder::tables_of;
 use super::outputs::{Output, refuse_to_lose};
 use super::status::{Status, UsageError};
@@ -13,6 +17,7 @@ use super::terminal::{Terminal, say};
 use crate::cli::{AnalyseArguments, PictureFile};
 use crate::report::{analysed_sections, text};
 use campaign::quantities::Axis;
+use found::AnalysisFound;
 use picture::{draw, refuse_absent, refuse_several};
 use results::analysis::{Analysis, NoAnalysis, size_of_blocks};
 use results::files::write_atomically;
@@ -62,11 +67,12 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
         &by,
         usize::from(arguments.bins),
     );
+    let analysis = analysis.map_err(in_words)?;
     let Analysis {
         counts: counted,
         blocks,
         axes,
-    } = analysis.map_err(in_words)?;
+    } = &analysis;
     let width = arguments.width;
     let so_far = tables.iter().find_map(|tables| tables.so_far);
     let so_far = so_far.map_or_else(String::new, |so_far| format!(" ({so_far})"));
@@ -76,18 +82,38 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
     if let Some((_, counts)) = drawn {
         refuse_absent(arguments.regime, counts)?;
     }
-    let sections = analysed_sections(manifest, &counted, &blocks, width);
-    say(&text(&title, &sections))?;
+    let lines = !arguments.document.json;
+    if lines {
+        let sections = analysed_sections(manifest, counted, blocks, width);
+        say(&text(&title, &sections))?;
+    }
+    let mut files = Vec::new();
+    let mut is_written = |path: &Path| {
+        let name = path.display().to_string();
+        let said = if lines {
+            say(&format!("{name}\n"))
+        } else {
+            Ok(())
+        };
+        files.push(name);
+        said
+    };
     if let Some(path) = &arguments.out {
-        write_atomically(path, counts_csv(&counted).as_bytes())?;
-        say(&format!("{}\n", path.display()))?;
+        write_atomically(path, counts_csv(counted).as_bytes())?;
+        is_written(path)?;
     }
     if let Some(path) = &arguments.indices {
-        write_atomically(path, indices_csv(&axes, &blocks).as_bytes())?;
-        say(&format!("{}\n", path.display()))?;
+        write_atomically(path, indices_csv(axes, blocks).as_bytes())?;
+        is_written(path)?;
     }
     if let Some((file, counts)) = drawn {
-        draw(file, arguments.regime, manifest, &so_far, counts)?;
+        is_written(draw(file, arguments.regime, manifest, &so_far, counts)?)?;
+    }
+    if !lines {
+        say_document(
+            "analyse",
+            &AnalysisFound::new(&tables, &analysis, width, files),
+        )?;
     }
     Ok(Status::Complete)
 }

@@ -1,11 +1,12 @@
 //! The picture of how likely a regime is.
 
+use std::path::Path;
+
 use anyhow::{Result, bail};
 use sim::{Label, Motion};
 
 use crate::cli::{AnalyseArguments, PictureFile};
 use crate::commands::status::UsageError;
-use crate::commands::terminal::say;
 use crate::map::{Probabilities, probability_picture};
 use results::analysis::Counts;
 use results::files::write_atomically;
@@ -37,14 +38,14 @@ pub fn refuse_absent(regime: Option<Label>, counts: &Counts) -> Result<()> {
     }
 }
 
-/// Draws what was counted over the axes of `--by`, and says where.
-pub fn draw(
-    file: &PictureFile,
+/// Draws what was counted over the axes of `--by`, into the file that is returned.
+pub fn draw<'a>(
+    file: &'a PictureFile,
     regime: Option<Label>,
     manifest: &Manifest,
     so_far: &str,
     counts: &Counts,
-) -> Result<()> {
+) -> Result<&'a Path> {
     let picture = probability_picture(&Probabilities {
         title: format!("{}{so_far}", manifest.title),
         counts,
@@ -57,5 +58,5 @@ pub fn draw(
         PictureFile::Png(path) => (path, picture.png()?),
     };
     write_atomically(path, &bytes)?;
-    say(&format!("{}\n", path.display()))
+    Ok(path)
 }

@@ -1,8 +1,10 @@
 //! The labels of a reference compared with those that were found.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
+use serde::{Serialize, Serializer};
 use sim::{Label, Motion};
 
 use campaign::engine::MethodSystem;
@@ -16,6 +18,7 @@ use results::folder::LabelRow;
 pub type FoundRecords = BTreeMap<(usize, &'static str), Record>;
 
 /// A label of the reference and the one that was found.
+#[derive(Serialize)]
 pub struct ComparedLabel {
     /// Line of the reference.
     pub line: usize,
@@ -25,10 +28,75 @@ pub struct ComparedLabel {
     pub method: String,
     /// What the label is about.
     pub motion: Motion,
+    /// The values of the case.
+    #[serde(serialize_with = "by_name")]
+    pub values: Vec<(Axis, f64)>,
+    /// The label of the reference.
+    pub expected: Label,
+    /// The label that was found; none where the case has no answer, or its scene no such label.
+    pub found: Option<Label>,
+    /// Why the case has no answer.
+    pub failure: Option<String>,
+    /// How far a case whose label differs is from the limit of its motion, where all cases share
+    /// a string.
+    pub distance: Option<Distance>,
+}
+
+/// Where a case is, in multiples of an analytic limit.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Distance {
+    /// Of the speed limit of stick-slip, Eq. 74.
+    TimesSpeedLimit(f64),
+    /// Of the least friction of steady rolling whirl.
+    TimesRollingFriction(f64),
+}
+
+impl fmt::Display for Distance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Distance::TimesSpeedLimit(ratio) => {
+                write!(f, "at {ratio:.3} times the speed limit of Eq. 74")
+            }
+            Distance::TimesRollingFriction(ratio) => {
+                write!(
+                    f,
+                    "at {ratio:.3} times the least friction of steady rolling whirl"
+                )
+            }
+        }
+    }
+}
+
+impl ComparedLabel {
+    /// Whether another label was found than expected, or none.
+    pub fn differs(&self) -> bool {
+        self.found != Some(self.expected)
+    }
+
     /// The axes of the case with their values, in words.
-    pub values: String,
+    pub fn place(&self) -> String {
+        let values = self.values.iter();
+        let words = values.map(|(axis, value)| format!("{} = {value}", axis.name()));
+        words.collect::<Vec<_>>().join(", ")
+    }
+
     /// What was expected and what was found, in words, where they differ.
-    pub difference: Option<String>,
+    pub fn difference(&self) -> Option<String> {
+        let found = match (&self.failure, self.found) {
+            (Some(reason), _) => format!("failed ({reason})"),
+            (None, found) => found.map_or("none", Label::name).to_owned(),
+        };
+        let distance = self
+            .distance
+            .map_or_else(String::new, |it| format!(", {it}"));
+        let expected = self.expected.name();
+        (self.differs()).then(|| format!("expected {expected}, found {found}{distance}"))
+    }
+}
+
+fn by_name<S: Serializer>(values: &[(Axis, f64)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(values.iter().map(|(axis, value)| (axis.name(), value)))
 }
 
 /// Compares every label of the reference with the one that was found.
@@ -39,72 +107,53 @@ pub fn compare(
     found: &FoundRecords,
 ) -> Vec<ComparedLabel> {
     let mut compared = Vec::new();
-    for expected in reference {
-        let Some(record) = found.get(&(expected.case, expected.method.as_str())) else {
+    for row in reference {
+        let Some(record) = found.get(&(row.case, row.method.as_str())) else {
             continue;
         };
         // A label that the reference leaves out is not checked.
-        for expected_label in expected.labels.each() {
-            let motion = expected_label.motion();
-            let label = label(record, motion);
-            let differs = label != expected_label.name();
-            let difference =
-                || difference(sweep, systems, expected, expected_label, record, &label);
-            compared.push(ComparedLabel {
-                line: expected.line,
-                case: expected.case,
-                method: expected.method.clone(),
+        for expected in row.labels.each() {
+            let motion = expected.motion();
+            let outcome = record.outcome.as_ref();
+            let values = sweep.design.axes().iter().zip(&row.values);
+            let mut label = ComparedLabel {
+                line: row.line,
+                case: row.case,
+                method: row.method.clone(),
                 motion,
-                values: values(sweep, expected),
-                difference: differs.then(difference),
-            });
+                values: values.map(|(axis, value)| (*axis, *value)).collect(),
+                expected,
+                found: outcome.ok().and_then(|outcome| outcome.labels()[motion]),
+                failure: outcome.err().map(ToString::to_string),
+                distance: None,
+            };
+            if label.differs() {
+                label.distance = distance(sweep, systems, row, motion, record);
+            }
+            compared.push(label);
         }
     }
     compared
 }
 
-fn label(record: &Record, motion: Motion) -> String {
-    match &record.outcome {
-        Ok(outcome) => {
-            let label = outcome.labels()[motion];
-            label.map_or("none", Label::name).to_owned()
-        }
-        Err(reason) => format!("failed ({reason})"),
+/// Where a case is in relation to the limit of a motion.
+fn distance(
+    sweep: &Sweep,
+    systems: &[MethodSystem],
+    row: &LabelRow,
+    motion: Motion,
+    record: &Record,
+) -> Option<Distance> {
+    match motion {
+        // Each string has its own limit, and only that of the file is at hand.
+        _ if sweep.design.varies_string() => None,
+        Motion::Torsion => distance_in_torsion(sweep, systems, row, record),
+        Motion::Lateral => distance_of_whirl(sweep, row),
     }
 }
 
-fn values(sweep: &Sweep, expected: &LabelRow) -> String {
-    let values: Vec<String> = (sweep.design.axes().iter())
-        .zip(&expected.values)
-        .map(|(axis, value)| format!("{} = {value}", axis.name()))
-        .collect();
-    values.join(", ")
-}
-
-/// What is said of a label that differs.
-fn difference(
-    sweep: &Sweep,
-    systems: &[MethodSystem],
-    expected: &LabelRow,
-    expected_label: Label,
-    record: &Record,
-    label: &str,
-) -> String {
-    // Each string has its own limit, and only that of the file is at hand.
-    let distance = match expected_label.motion() {
-        _ if sweep.design.varies_string() => None,
-        Motion::Torsion => distance_in_torsion(sweep, systems, expected, record),
-        Motion::Lateral => distance_of_whirl(sweep, expected),
-    };
-    format!(
-        "expected {}, found {label}{}",
-        expected_label.name(),
-        distance.unwrap_or_default()
-    )
-}
-
-/// Where a case is in relation to the analytic limit of whirl, in words.
-fn distance_of_whirl(sweep: &Sweep, expected: &LabelRow) -> Option<String> {
+/// Where a case is in relation to the analytic limit of whirl.
+fn distance_of_whirl(sweep: &Sweep, expected: &LabelRow) -> Option<Distance> {
     let conditions = sweep.conditions_at(&expected.values);
     let lateral = sweep.setting.lateral.as_ref()?;
     // Each wall has its own limit, and only that of the file is at hand.
@@ -118,18 +167,16 @@ fn distance_of_whirl(sweep: &Sweep, expected: &LabelRow) -> Option<String> {
     }
     let bound = rolling_bound(&sweep.setting, lateral, conditions.surface_speed_rpm?);
     let ratio = conditions.value(Axis::FRICTION)? / bound.ok().flatten()?;
-    Some(format!(
-        ", at {ratio:.3} times the least friction of steady rolling whirl"
-    ))
+    Some(Distance::TimesRollingFriction(ratio))
 }
 
-/// Where a case is in relation to the analytic limit of stick-slip, in words.
+/// Where a case is in relation to the analytic limit of stick-slip.
 fn distance_in_torsion(
     sweep: &Sweep,
     systems: &[MethodSystem],
     expected: &LabelRow,
     record: &Record,
-) -> Option<String> {
+) -> Option<Distance> {
     let system = systems.get(record.method)?;
     let conditions = sweep.conditions_at(&expected.values);
     let torques = conditions.torques(record.torque_dynamic_nm?);
@@ -139,5 +186,5 @@ fn distance_in_torsion(
         torques.torque_dynamic,
     );
     let ratio = conditions.surface_speed()? / limit;
-    Some(format!(", at {ratio:.3} times the speed limit of Eq. 74"))
+    Some(Distance::TimesSpeedLimit(ratio))
 }

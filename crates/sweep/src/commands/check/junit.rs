@@ -17,7 +17,7 @@ use campaign::printable::{is_noncharacter, printable};
 pub fn junit(reference: &Path, compared: &[ComparedLabel]) -> Result<String> {
     let reference = reference.display().to_string();
     let labels = compared.len().to_string();
-    let different = compared.iter().filter(|label| label.difference.is_some());
+    let different = compared.iter().filter(|label| label.differs());
     let different = different.count().to_string();
     let counts = [
         ("tests", &*labels),
@@ -77,7 +77,9 @@ fn write_test(writer: &mut Xml, reference: &str, label: &ComparedLabel) -> Resul
     let motion = label.motion.name();
     let name = format!(
         "case {} by {}, {motion}: {}",
-        label.case, label.method, label.values
+        label.case,
+        label.method,
+        label.place()
     );
     let line = label.line.to_string();
     let attributes = [
@@ -86,7 +88,7 @@ fn write_test(writer: &mut Xml, reference: &str, label: &ComparedLabel) -> Resul
         ("file", reference),
         ("line", &line),
     ];
-    let Some(difference) = &label.difference else {
+    let Some(difference) = label.difference() else {
         let test = element("testcase", &attributes);
         return Ok(writer.write_event(Event::Empty(test))?);
     };
@@ -94,7 +96,7 @@ fn write_test(writer: &mut Xml, reference: &str, label: &ComparedLabel) -> Resul
     begin(
         writer,
         "failure",
-        &[("type", "label"), ("message", difference)],
+        &[("type", "label"), ("message", &difference)],
     )?;
     let place = format!("{reference}:{line}: {name}: {difference}");
     writer.write_event(Event::Text(BytesText::new(&of_xml(&place))))?;

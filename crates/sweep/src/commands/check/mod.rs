@@ -9,8 +9,11 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 
 use anyhow::Result;
+use serde_json::json;
 
 use super::choosing::choose;
+use super::document::document;
+use super::input::read_text;
 use super::listed::Listed;
 use super::margin::margin_of;
 use super::outputs::{Output, refuse_to_lose};
@@ -22,7 +25,6 @@ use crate::cli::{CheckArguments, CheckFormat};
 use campaign::Campaign;
 use campaign::plan::Sweep;
 use campaign::records::Record;
-use campaign::text_file::read_text;
 use comparison::{FoundRecords, compare};
 use junit::junit_of_error;
 use reference::{cases_of, read_reference};
@@ -36,15 +38,17 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     let checked = compare_labels(arguments, terminal);
     if let Err(error) = &checked {
         let (reference, message) = (&arguments.reference, format!("{error:#}"));
-        let text = match arguments.output.format {
+        let format = arguments.output.format();
+        let text = match format {
             CheckFormat::Human => format!("error: {message}\n"),
             CheckFormat::Github => annotation(&arguments.file, &message),
             CheckFormat::Junit => junit_of_error(reference, &message)?,
+            CheckFormat::Json => document("check", &json!({ "error": message }))?,
         };
         match &arguments.output.output {
             Some(file) => write_atomically(file, text.as_bytes())?,
-            // People read it on standard error.
-            None if arguments.output.format == CheckFormat::Human => {}
+            // It is on standard error.
+            None if matches!(format, CheckFormat::Human | CheckFormat::Json) => {}
             None => say(&text)?,
         }
     }
@@ -57,8 +61,9 @@ fn refuse_to_lose_output(arguments: &CheckArguments) -> Result<()> {
         return Ok(());
     };
     let count = format!("{}: ", arguments.reference.display());
-    let beginnings: [&[u8]; 6] = [
+    let beginnings: [&[u8]; 7] = [
         b"<?xml",
+        b"{\"command\":\"check\",",
         b"::error ",
         b"labels: ",
         b"case ",
@@ -93,7 +98,7 @@ fn compare_labels(arguments: &CheckArguments, terminal: Terminal) -> Result<Stat
         margin: margin_of(&arguments.reference)?,
         compared: &compared,
     };
-    let text = report.in_format(arguments.output.format)?;
+    let text = report.in_format(arguments.output.format())?;
     match &arguments.output.output {
         Some(file) => {
             write_atomically(file, text.as_bytes())?;

@@ -8,11 +8,11 @@ use anyhow::{Result, bail};
 use clap::ValueEnum;
 use linear::Method;
 
+use crate::commands::input::read_text;
 use crate::commands::status::UsageError;
 use campaign::engine::Case;
 use campaign::plan::Sweep;
 use campaign::sweep_file::MethodName;
-use campaign::text_file::read_text;
 use results::folder::{LabelRow, read_labels};
 
 /// Reads the reference, and the methods it has: the sweep's, and others with the parameters

@@ -1,13 +1,15 @@
 //! What a check says: lines for people, annotations for GitHub, JUnit XML for everything else
-//! that shows tests.
+//! that shows tests, JSON for all other programs.
 
 use std::path::Path;
 
 use anyhow::Result;
+use serde::Serialize;
 
 use super::comparison::ComparedLabel;
 use super::junit::junit;
 use crate::cli::CheckFormat;
+use crate::commands::document::document;
 use campaign::words::counted;
 
 /// The labels of a reference, compared.
@@ -20,6 +22,16 @@ pub struct CheckReport<'a> {
     pub compared: &'a [ComparedLabel],
 }
 
+/// The labels of a reference, counted and one by one.
+#[derive(Serialize)]
+struct CheckFound<'a> {
+    reference: String,
+    margin: Option<&'a str>,
+    labels: usize,
+    different: usize,
+    compared: &'a [ComparedLabel],
+}
+
 impl CheckReport<'_> {
     /// In a format.
     ///
@@ -30,6 +42,7 @@ impl CheckReport<'_> {
             CheckFormat::Human => self.for_people(),
             CheckFormat::Github => self.annotations() + &plain_line(&self.count()),
             CheckFormat::Junit => junit(self.reference, self.compared)?,
+            CheckFormat::Json => document("check", &self.found())?,
         })
     }
 
@@ -37,15 +50,27 @@ impl CheckReport<'_> {
     pub fn for_people(&self) -> String {
         let lines = self.different().map(|(label, difference)| {
             let ComparedLabel { case, method, .. } = label;
-            format!("case {case} by {method}: {}: {difference}\n", label.values)
+            let place = label.place();
+            format!("case {case} by {method}: {place}: {difference}\n")
         });
         lines.collect::<String>() + &self.count()
     }
 
     /// Each label that differs, with what is said of it.
-    pub fn different(&self) -> impl Iterator<Item = (&ComparedLabel, &str)> {
+    pub fn different(&self) -> impl Iterator<Item = (&ComparedLabel, String)> {
         let labels = self.compared.iter();
-        labels.filter_map(|label| Some((label, label.difference.as_deref()?)))
+        labels.filter_map(|label| Some((label, label.difference()?)))
+    }
+
+    /// What was compared, as a document has it.
+    fn found(&self) -> CheckFound<'_> {
+        CheckFound {
+            reference: self.reference.display().to_string(),
+            margin: self.margin.as_deref(),
+            labels: self.compared.len(),
+            different: self.different().count(),
+            compared: self.compared,
+        }
     }
 
     fn count(&self) -> String {
@@ -67,7 +92,8 @@ impl CheckReport<'_> {
         let commands = self.different().map(|(label, difference)| {
             let ComparedLabel { case, method, .. } = label;
             let title = property(&format!("{} label differs", label.motion.adjective()));
-            let message = format!("case {case} by {method}: {}: {difference}", label.values);
+            let place = label.place();
+            let message = format!("case {case} by {method}: {place}: {difference}");
             let message = data(&message);
             format!(
                 "::error file={file},line={},title={title}::{message}\n",

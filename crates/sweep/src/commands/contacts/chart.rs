@@ -2,8 +2,7 @@
 
 use super::table::impulse_name;
 use crate::commands::prepare::unique;
-use crate::method_styles::method_style;
-use plot::{Axis, LineStyle, Look, Panel, Picture, Series, panels};
+use plot::{Axis, LineStyle, Look, Panel, Picture, Series, method_style, panels};
 use studies::contacts::{Bounds, LimitRow};
 
 /// A bound by its name.

@@ -1,4 +1,4 @@
-//! `labels.csv` as Apache Parquet: case numbers are integers, all other numbers doubles, words
+//! A table by case and method as Apache Parquet: case numbers are integers, all other numbers doubles, words
 //! strings with a dictionary; what a row does not have is null. The same table gives the same
 //! bytes.
 
@@ -16,6 +16,7 @@ use ::parquet::schema::types::{Type, TypePtr};
 use anyhow::{Context, Result};
 use csv::StringRecord;
 
+use campaign::records::{COLUMNS, Kind as ResultKind};
 use campaign::text_file::unreadable;
 use results::files::AtomicFile;
 
@@ -32,20 +33,14 @@ enum Kind {
 }
 
 impl Kind {
-    /// That of a column of `labels.csv`; axes and measures are numbers.
+    /// That of a column: of results as the table of these has it; axes, motion and misfits are
+    /// numbers.
     fn of(column: &str) -> Self {
-        match column {
-            "case" => Kind::Case,
-            "torsion_certified" | "lateral_certified" | "nearby_torsion_agrees" => Kind::Truth,
-            "method"
-            | "torsion"
-            | "lateral"
-            | "predicted"
-            | "ended"
-            | "status"
-            | "finer_torsion"
-            | "finer_lateral"
-            | "found_sites_from_bit_m" => Kind::Word,
+        let result = COLUMNS.iter().find(|known| known.name == column);
+        match (column, result.map(|result| result.kind)) {
+            ("case", _) => Kind::Case,
+            ("method", _) | (_, Some(ResultKind::Text)) => Kind::Word,
+            (_, Some(ResultKind::Flag)) => Kind::Truth,
             _ => Kind::Number,
         }
     }
@@ -64,22 +59,19 @@ impl Kind {
     }
 }
 
-/// Writes a table of labels into a file.
+/// Writes a table into a file; its rows are named.
 ///
 /// # Errors
 /// Where the one cannot be read, or the other cannot be written.
-pub fn write(labels: &Path, out: &Path) -> Result<()> {
-    let mut reader = csv::Reader::from_path(labels).with_context(|| unreadable(labels))?;
-    let header = reader
-        .headers()
-        .with_context(|| unreadable(labels))?
-        .clone();
+pub fn write(table: &Path, name: &str, out: &Path) -> Result<()> {
+    let mut reader = csv::Reader::from_path(table).with_context(|| unreadable(table))?;
+    let header = reader.headers().with_context(|| unreadable(table))?.clone();
     let kinds: Vec<Kind> = header.iter().map(Kind::of).collect();
     let fields = header
         .iter()
         .zip(&kinds)
         .map(|(name, kind)| kind.field(name));
-    let schema = Type::group_type_builder("labels")
+    let schema = Type::group_type_builder(name)
         .with_fields(fields.collect::<Result<_>>()?)
         .build()?;
     let properties = WriterProperties::builder().build();
@@ -90,12 +82,11 @@ pub fn write(labels: &Path, out: &Path) -> Result<()> {
         let group = rows.by_ref().take(ROWS_OF_GROUP);
         let group = group
             .collect::<Result<Vec<_>, _>>()
-            .with_context(|| unreadable(labels))?;
+            .with_context(|| unreadable(table))?;
         if group.is_empty() {
             break;
         }
-        write_group(writer.next_row_group()?, &kinds, &group)
-            .with_context(|| unreadable(labels))?;
+        write_group(writer.next_row_group()?, &kinds, &group).with_context(|| unreadable(table))?;
     }
     writer.into_inner()?.0.finish()?;
     Ok(())

@@ -41,9 +41,10 @@ pub fn hold(folder: &Path, file: &str, terminal: Terminal) -> Result<FolderLock>
 /// Removes what killed commands left in a folder that is only read, if no other command writes
 /// there and the folder is writable.
 pub fn tidy(folder: &Path) {
-    if has_left(folder).is_ok_and(|has_left| has_left)
-        && let Ok(_lock) = FolderLock::take(folder)
-    {
+    if !has_left(folder).is_ok_and(|has_left| has_left) {
+        return;
+    }
+    if let Ok(_lock) = FolderLock::take(folder) {
         let _ = remove_left(folder);
     }
 }

@@ -3,17 +3,23 @@
 
 mod axial_force;
 mod clearances;
-mod description;
+mod found;
+mod methods;
 mod modes;
 mod responses;
+mod rows;
+mod string;
 mod tables;
 mod top_drive;
+mod well;
+mod work;
 
 use std::time::Instant;
 
 use anyhow::Result;
 
-use super::cost::{cost_lines, of_built};
+use super::cost::of_built;
+use super::document::say_document;
 use super::drawing::{Drawing, panels_csv};
 use super::folder::{make_folder, results_folder};
 use super::prepare::{build_systems, open, survey_cases};
@@ -22,20 +28,22 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::{warn_of_fronts, warn_of_limits, warn_of_sweep};
 use crate::cli::InspectArguments;
-use axial_force::describe_axial_force;
+use axial_force::InspectedForce;
 use campaign::Campaign;
 use campaign::engine::{add_finer, compare_fronts};
 use campaign::memory::{Demand, Purpose, admit};
-use clearances::describe_clearances;
-use description::{
-    describe_forward_contact, describe_left_out, describe_methods, describe_string, describe_well,
-    describe_work,
-};
-use modes::{show_modes, write_modes};
+use clearances::clearances_of_hole;
+use found::Inspection;
+use limits::ForwardContact;
+use methods::InspectedMethod;
+use modes::{InspectedModes, write_modes};
 use responses::{response_panels, response_picture};
 use results::files::write_atomically;
+use string::InspectedString;
 use tables::write_tables;
 use top_drive::DriveView;
+use well::InspectedWell;
+use work::{InspectedCost, left_out};
 
 /// Modes whose shapes are in the tables, where it is not said of how many.
 const MODES_IN_TABLES: usize = 6;
@@ -66,7 +74,6 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     warn_of_fronts(sweep, &systems, terminal);
     let memory = Demand::of(sweep, &setting, &survey, Purpose::Labels)?.within(&limit);
     let time = of_built(sweep, &survey, &systems, built);
-    let cost = cost_lines(&memory, &limit, &time);
     make_folder(&folder)?;
     let look = &drawing.look;
     let responses = response_panels(sweep, &systems)?;
@@ -77,10 +84,8 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     )?;
     write_atomically(&folder.join("inspect.csv"), &panels_csv(&responses)?)?;
     let drive = DriveView::of(&sweep.setting.string)?;
-    let mut pictures = format!(
-        "\npicture: {}\n",
-        folder.join(drawing.shown("inspect")).display()
-    );
+    let shown = |name: &str| folder.join(drawing.shown(name)).display().to_string();
+    let mut pictures = vec![shown("inspect")];
     if let Some(drive) = &drive {
         let panels = drive.panels();
         drawing.save(
@@ -89,35 +94,38 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
             &drive.picture(look, &sweep.title, &panels),
         )?;
         write_atomically(&folder.join("top_drive.csv"), &panels_csv(&panels)?)?;
-        let shown = folder.join(drawing.shown("top_drive"));
-        pictures += &format!("picture: {}\n", shown.display());
+        pictures.push(shown("top_drive"));
     }
-    let modes = match arguments.modes {
-        Some(count) => show_modes(sweep, count.into(), &arguments.orders, &folder, &drawing)?,
-        None if arguments.csv => {
-            write_modes(sweep, MODES_IN_TABLES, &arguments.orders, &folder)?;
-            String::new()
-        }
-        None => String::new(),
-    };
+    let orders = &arguments.orders;
+    let find = |count: u8| InspectedModes::find(sweep, count.into(), orders, &folder, &drawing);
+    let modes = arguments.modes.map(find).transpose()?;
     if arguments.csv {
+        if modes.is_none() {
+            write_modes(sweep, MODES_IN_TABLES, orders, &folder)?;
+        }
         write_tables(sweep, &systems, &folder)?;
-        pictures += &format!("tables: {}\n", folder.join("*.csv").display());
     }
-    say(&[
-        describe_string(sweep),
-        describe_well(sweep),
-        describe_clearances(sweep),
-        describe_axial_force(sweep)?,
-        describe_forward_contact(sweep)?,
-        (drive.as_ref()).map_or_else(String::new, |drive| drive.words(sweep.content.units)),
+    let found = Inspection {
+        name: &sweep.name,
+        title: &sweep.title,
+        string: InspectedString::of(sweep),
+        well: InspectedWell::of(sweep),
+        clearances: clearances_of_hole(sweep),
+        axial_force: InspectedForce::of(sweep)?,
+        forward_contact: ForwardContact::of(sweep)?,
+        top_drive: drive.as_ref().map(DriveView::numbers),
         modes,
-        describe_methods(&systems, sweep.content.units),
-        describe_left_out(sweep),
-        describe_work(sweep, &survey, &systems),
-        (cost.lines().map(|line| format!("  {line}\n"))).collect(),
+        methods: systems.iter().map(InspectedMethod::of).collect(),
+        left_out: left_out(sweep),
+        cost: InspectedCost::of(sweep, &survey, &systems, (&memory, &limit), &time),
+        folder: folder.display().to_string(),
         pictures,
-    ]
-    .concat())?;
+        has_tables: arguments.csv,
+    };
+    if arguments.document.json {
+        say_document("inspect", &found)?;
+    } else {
+        say(&found.words(sweep.content.units))?;
+    }
     Ok(Status::Complete)
 }

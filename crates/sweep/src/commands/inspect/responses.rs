@@ -7,12 +7,11 @@ use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 use linear::{DrillstringError, Sites};
 
-use crate::method_styles::method_style;
 use campaign::engine::MethodSystem;
 use campaign::plan::{LateralSettings, Sweep};
 use campaign::quantities::{FORCE, IMPULSE, LENGTH, TORQUE, Unit};
 use campaign::words::site_title;
-use plot::{Axis, Look, Panel, Picture, Series, panels};
+use plot::{Axis, Look, Panel, Picture, Series, method_style, panels};
 
 /// Points of the frequency response drawn.
 const FREQUENCIES: usize = 4000;

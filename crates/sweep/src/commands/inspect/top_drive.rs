@@ -7,8 +7,9 @@ use linear::controllers::reflection;
 use linear::estimates::{FirstMode, first_mode, torsional_impedance};
 use linear::modes::{TorsionalMode, torsional_modes};
 use linear::{Drillstring, TopDrive};
+use serde::Serialize;
 
-use super::description::row;
+use super::rows::row;
 use campaign::quantities::{INERTIA, INTEGRAL_GAIN, PROPORTIONAL_GAIN, Units};
 use campaign::words::short;
 use plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
@@ -21,6 +22,98 @@ const POINTS: usize = 2000;
 
 /// The lower axis of both panels, which share its range.
 const FREQUENCY: &str = "Frequency f (Hz)";
+
+/// A string below a drive in numbers.
+#[derive(Serialize)]
+pub struct InspectedDrive {
+    inertia_kg_m2: f64,
+    proportional_gain_knms_rad: f64,
+    pipe_impedance_knms_rad: f64,
+    integral_gain_knm_rad: f64,
+    /// With the surface held.
+    first_mode_hz: f64,
+    first_mode_inertia_kg_m2: f64,
+    /// The part of a wave of that frequency that comes back.
+    reflection_at_first_mode: f64,
+    /// Those of string and drive.
+    modes: Vec<InspectedMode>,
+    modes_surface_held: Vec<InspectedMode>,
+}
+
+/// A mode that swings.
+#[derive(Serialize)]
+struct InspectedMode {
+    frequency_hz: f64,
+    damping_ratio: f64,
+}
+
+impl InspectedMode {
+    fn of(mode: &TorsionalMode) -> Self {
+        Self {
+            frequency_hz: mode.frequency(),
+            damping_ratio: mode.damping_ratio(),
+        }
+    }
+}
+
+impl InspectedDrive {
+    /// In words and numbers.
+    pub fn words(&self, units: Units) -> String {
+        let [inertia, gain, integral_gain] =
+            [&INERTIA, &PROPORTIONAL_GAIN, &INTEGRAL_GAIN].map(|twin| units.of(twin));
+        let of_drive = short(inertia.number(self.inertia_kg_m2));
+        let proportional = short(gain.number(self.proportional_gain_knms_rad));
+        let impedance = gain.number(self.pipe_impedance_knms_rad);
+        let integral = short(integral_gain.number(self.integral_gain_knm_rad));
+        let first = short(self.first_mode_hz);
+        let mut text = "\ntop drive\n".to_owned();
+        for (title, value) in [
+            ("inertia", format!("{of_drive} {}", inertia.name)),
+            (
+                "proportional gain K_p",
+                format!(
+                    "{proportional} {}; impedance of the pipe {impedance:.3}",
+                    gain.name
+                ),
+            ),
+            (
+                "integral gain K_i",
+                format!("{integral} {}", integral_gain.name),
+            ),
+            (
+                "first mode, surface held",
+                format!(
+                    "{first} Hz, {}",
+                    inertia.text(self.first_mode_inertia_kg_m2, 0)
+                ),
+            ),
+            (
+                "of a wave, then comes back",
+                format!("{:.0} %", 100.0 * self.reflection_at_first_mode),
+            ),
+        ] {
+            text += &row(2, title, &value);
+        }
+        text + &self.mode_lines()
+    }
+
+    fn mode_lines(&self) -> String {
+        let in_words = |mode: Option<&InspectedMode>| {
+            mode.map_or_else(String::new, |mode| {
+                let (frequency, damping) = (mode.frequency_hz, 100.0 * mode.damping_ratio);
+                format!("{frequency:.3} Hz, damping {damping:.1} %")
+            })
+        };
+        let count = self.modes.len().max(self.modes_surface_held.len());
+        let lines = (0..count).map(|index| {
+            let [below, held] = [&self.modes, &self.modes_surface_held];
+            let [below, held] = [below, held].map(|modes| in_words(modes.get(index)));
+            format!("    {below:<29}{held}\n")
+        });
+        let title = "  modes of string and drive      with the surface held\n".to_owned();
+        title + &lines.collect::<String>()
+    }
+}
 
 /// A string below a drive, seen from the surface.
 pub struct DriveView<'a> {
@@ -59,62 +152,22 @@ impl<'a> DriveView<'a> {
     }
 
     /// Its numbers.
-    pub fn words(&self, units: Units) -> String {
-        let FirstMode { frequency, inertia } = self.first;
+    pub fn numbers(&self) -> InspectedDrive {
+        let FirstMode {
+            frequency, inertia, ..
+        } = self.first;
         let uppermost = &self.string.sections()[0].parts[0];
-        let [inertia_unit, gain, integral_gain] =
-            [&INERTIA, &PROPORTIONAL_GAIN, &INTEGRAL_GAIN].map(|twin| units.of(twin));
-        let impedance = gain.number(1e-3 * torsional_impedance(self.string, uppermost));
-        let proportional = short(gain.number(1e-3 * self.drive.proportional_gain));
-        let integral = short(integral_gain.number(1e-3 * self.drive.integral_gain));
-        let of_drive = short(inertia_unit.number(self.drive.inertia));
-        let mut text = "\ntop drive\n".to_owned();
-        for (title, value) in [
-            ("inertia", format!("{of_drive} {}", inertia_unit.name)),
-            (
-                "proportional gain K_p",
-                format!(
-                    "{proportional} {}; impedance of the pipe {impedance:.3}",
-                    gain.name
-                ),
-            ),
-            (
-                "integral gain K_i",
-                format!("{integral} {}", integral_gain.name),
-            ),
-            (
-                "first mode, surface held",
-                format!(
-                    "{} Hz, {}",
-                    short(frequency / TAU),
-                    inertia_unit.text(inertia, 0)
-                ),
-            ),
-            (
-                "of a wave, then comes back",
-                format!("{:.0} %", 100.0 * self.reflection(frequency)),
-            ),
-        ] {
-            text += &row(2, title, &value);
+        InspectedDrive {
+            inertia_kg_m2: self.drive.inertia,
+            proportional_gain_knms_rad: 1e-3 * self.drive.proportional_gain,
+            pipe_impedance_knms_rad: 1e-3 * torsional_impedance(self.string, uppermost),
+            integral_gain_knm_rad: 1e-3 * self.drive.integral_gain,
+            first_mode_hz: frequency / TAU,
+            first_mode_inertia_kg_m2: inertia,
+            reflection_at_first_mode: self.reflection(frequency),
+            modes: self.below_drive.iter().map(InspectedMode::of).collect(),
+            modes_surface_held: self.surface_held.iter().map(InspectedMode::of).collect(),
         }
-        text + &self.mode_lines()
-    }
-
-    fn mode_lines(&self) -> String {
-        let in_words = |mode: Option<&TorsionalMode>| {
-            mode.map_or_else(String::new, |mode| {
-                let (frequency, damping) = (mode.frequency(), 100.0 * mode.damping_ratio());
-                format!("{frequency:.3} Hz, damping {damping:.1} %")
-            })
-        };
-        let count = self.below_drive.len().max(self.surface_held.len());
-        let lines = (0..count).map(|index| {
-            let [below, held] = [&self.below_drive, &self.surface_held];
-            let [below, held] = [below, held].map(|modes| in_words(modes.get(index)));
-            format!("    {below:<29}{held}\n")
-        });
-        let title = "  modes of string and drive      with the surface held\n".to_owned();
-        title + &lines.collect::<String>()
     }
 
     /// The reflection over frequency, and the damping of the modes below it.

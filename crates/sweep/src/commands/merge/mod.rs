@@ -15,7 +15,7 @@ use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use campaign::dependence::together;
 use campaign::engine::Shard;
-use campaign::words::shell_word;
+use campaign::words::file_word;
 use parts::{Part, read_parts, refuse_damaged_parts};
 use results::folder::Manifest;
 use results::log::{Header, Place};
@@ -59,7 +59,7 @@ fn again(manifest: &Manifest, index: usize) -> Option<String> {
     let of = manifest.shard().of;
     Some(format!(
         "sweep run {} --shard {index}/{of}",
-        shell_word(&file)
+        file_word(&file)
     ))
 }
 

@@ -9,7 +9,7 @@ use crate::commands::folder::{LOG, MANIFEST, header_of, in_words, tell_if_unveri
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use campaign::engine::Shard;
-use campaign::words::shell_word;
+use campaign::words::{file_word, shell_word};
 use results::folder::{Manifest, RECORDS, TABLES, differences};
 use results::log::{Header, read_header};
 
@@ -36,7 +36,8 @@ pub fn refuse_damaged_parts(parts: &[Part], terminal: Terminal) -> Result<()> {
         let files: Vec<&str> = TABLES.into_iter().chain(records).collect();
         let found = manifest.damage(folder, &files)?;
         if let (false, Some(file)) = (found.is_empty(), &manifest.sweep_file) {
-            let [file, folder] = [file, folder].map(|path| shell_word(&path.display().to_string()));
+            let (file, folder) = (file.display().to_string(), folder.display().to_string());
+            let (file, folder) = (file_word(&file), shell_word(&folder));
             let Shard { index, of } = manifest.shard();
             command = format!("`sweep run {file} --shard {index}/{of} --out {folder} --fresh`; ");
         }

@@ -12,6 +12,7 @@ use anyhow::{Context, Result, bail};
 
 use super::choosing::choose;
 use super::folder::tables_of;
+use super::input::read_text;
 use super::listed::Listed;
 use super::outputs::{Output, refuse_to_lose};
 use super::status::{Status, UsageError};
@@ -24,7 +25,7 @@ use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::records::Record;
 use campaign::sweep_file::per_cent;
-use campaign::text_file::read_text;
+use campaign::text_file::is_standard_input;
 use campaign::words::counted;
 use neighbours::{Neighbours, neighbours};
 use results::files::write_atomically;
@@ -89,7 +90,13 @@ fn sweep_of(
             "{folder}: its manifest.json does not name the sweep file: give --sweep FILE"
         )));
     };
-    if !file.is_file() {
+    if is_standard_input(file) && arguments.sweep.is_none() {
+        bail!(UsageError(format!(
+            "{folder}: its sweep file was read from standard input: give --sweep FILE, or \
+             --sweep - for the same text again"
+        )));
+    }
+    if !file.is_file() && !is_standard_input(file) {
         bail!(UsageError(format!(
             "{folder}: its sweep file is not at {}: give --sweep FILE",
             file.display()

@@ -111,10 +111,10 @@ impl<'a> Session<'a> {
             .so_far
             .total
             .is_some_and(|all| self.log.counts().done >= all);
-        if !is_complete && let Some(status) = stop::asked() {
-            stop::end(status);
+        match stop::asked() {
+            Some(status) if !is_complete => stop::end(status),
+            _ => Ok(()),
         }
-        Ok(())
     }
 
     /// Simulates the cases that are not in the log yet; a signal ends it sooner.

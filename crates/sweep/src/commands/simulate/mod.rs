@@ -41,12 +41,13 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
         Err(rows) => return Ok(tell_of_failures(sweep, &rows, terminal)),
     };
     film::refuse_idle(&chosen.sweep, &chosen.cases, &arguments.film)?;
+    let memory = work.memory.limit();
     let following = Following {
         options: RunOptions {
             full: *full,
             allow_unstable: arguments.allow_unstable,
         },
-        memory: Some((&work.memory.limit(), arguments.film.frames_asked())),
+        memory: Some((&memory, arguments.film.frames_asked())),
         warn: &|instability: &Instability| terminal.complain(&format!("warning: {instability}")),
     };
     let followed = chosen.follow(&following, &mut KeptSystems::default());

@@ -11,7 +11,8 @@ use crate::commands::drawing::Drawing;
 use crate::commands::folder::make_folder;
 use crate::histories::{
     case_csv, case_lines, contact_picture, contacts_csv, film_csv, film_picture, history_csv,
-    history_picture, orbit_picture, string_csv, string_picture, whole_strings,
+    history_picture, orbit_picture, phase_picture, spectra_picture, string_csv, string_picture,
+    whole_strings,
 };
 use campaign::follow::Followed;
 use plot::Picture;
@@ -51,6 +52,7 @@ impl Written<'_> {
         let look = &self.drawing.look;
         let history = history_picture(look, sweep, cases, simulations);
         self.picture("history", &history)?;
+        let has_torsion = self.torsional()?;
         if lateral.is_some() {
             self.lateral(&wholes)?;
         }
@@ -60,7 +62,7 @@ impl Written<'_> {
             self.picture("film", &film)?;
             self.table("film.csv", &film_csv(&simulations[0], &wholes[0], &steps)?)?;
         }
-        let files = self.files(lateral.is_some(), !steps.is_empty());
+        let files = self.files(lateral.is_some(), has_torsion, !steps.is_empty());
         // All cases have the same.
         let found = rows.first().and_then(|row| row.found.as_ref());
         let written = (files.as_str(), self.folder);
@@ -68,21 +70,58 @@ impl Written<'_> {
     }
 
     /// The files that were written, in words.
-    fn files(&self, is_lateral: bool, has_film: bool) -> String {
-        if !is_lateral {
-            let pictures = self.drawing.files("history").join(", ");
-            return format!("{pictures}, history.csv and case.csv");
-        }
+    fn files(&self, is_lateral: bool, has_torsion: [bool; 2], has_film: bool) -> String {
+        let [has_phase, has_spectrum] = has_torsion;
+        let pictures = [
+            ("history", true),
+            ("phase", has_phase),
+            ("spectrum", has_spectrum),
+            ("orbit", is_lateral),
+            ("string", is_lateral),
+            ("contacts", is_lateral),
+        ];
+        let pictures = pictures.into_iter().filter(|(_, is_there)| *is_there);
+        let pictures: Vec<&str> = pictures.map(|(name, _)| name).collect();
         let film = match has_film {
             false => String::new(),
             true => format!(", film (of {})", self.followed.simulations[0].name),
         };
-        let film_table = if has_film { "film.csv, " } else { "" };
+        let tables = [
+            ("history.csv", true),
+            ("string.csv", is_lateral),
+            ("contacts.csv", is_lateral),
+            ("film.csv", has_film),
+        ];
+        let tables = tables.into_iter().filter(|(_, is_there)| *is_there);
+        let tables: Vec<&str> = tables.map(|(name, _)| name).collect();
         format!(
-            "history, orbit, string, contacts{film} as {}, history.csv, string.csv, contacts.csv, \
-             {film_table}case.csv",
-            self.drawing.words()
+            "{}{film} as {}, {} and case.csv",
+            pictures.join(", "),
+            self.drawing.words(),
+            tables.join(", ")
         )
+    }
+
+    /// What there is of torsional motion alone: whether its phases and its spectrum were drawn.
+    fn torsional(&self) -> Result<[bool; 2]> {
+        let Followed {
+            sweep,
+            cases,
+            simulations,
+            ..
+        } = self.followed;
+        let own = self.drawing.look.with_own_ranges();
+        let over_time = self.drawing.look.with_own_heights();
+        let pictures = [
+            ("phase", phase_picture(&own, sweep, cases, simulations)),
+            ("spectrum", spectra_picture(&over_time, sweep, simulations)),
+        ];
+        for (name, picture) in &pictures {
+            if let Some(picture) = picture {
+                self.picture(name, picture)?;
+            }
+        }
+        Ok(pictures.map(|(_, picture)| picture.is_some()))
     }
 
     fn table(&self, name: &str, content: &[u8]) -> Result<()> {

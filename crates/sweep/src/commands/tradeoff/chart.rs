@@ -2,8 +2,7 @@
 
 use super::table::measures;
 use crate::commands::prepare::unique;
-use crate::method_styles::method_style;
-use plot::{Axis, Picture, ScatterPanel, Series, scatter_grid};
+use plot::{Axis, Picture, ScatterPanel, Series, method_style, scatter_grid};
 use studies::tradeoff::{CASE_SECONDS, CASES, Measure, TradeoffRow, front};
 
 /// Smaller errors are drawn here: they are rounding.

@@ -1,6 +1,7 @@
 //! `sweep window`: where, over weight on bit and surface speed, no limit is near, and the best
 //! point there.
 
+mod found;
 mod tables;
 mod words;
 
@@ -8,15 +9,17 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 
+use super::document::say_document;
 use super::drawing::save_picture;
 use super::folder::{make_folder, results_folder, tables_of};
+use super::input::read_text;
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::WindowArguments;
 use crate::map::{WindowView, window_picture};
 use campaign::plan::Sweep;
-use campaign::text_file::read_text;
+use found::WindowFound;
 use results::files::write_atomically;
 use results::folder::ResultTables;
 use results::window::{OperatingWindow, WindowAsked, WindowError};
@@ -60,7 +63,12 @@ pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status>
     make_folder(&folder)?;
     write_atomically(&folder.join("window.csv"), &tables::window(&chart)?)?;
     save_picture(&folder, "window", &window_picture(&view))?;
-    say(&words::describe(&view, &folder))?;
+    let files = words::files(&folder);
+    if arguments.document.json {
+        say_document("window", &WindowFound::new(&view, files))?;
+    } else {
+        say(&words::describe(&view, &files))?;
+    }
     Ok(Status::Complete)
 }
 

@@ -5,8 +5,15 @@ use std::path::Path;
 use crate::map::WindowView;
 use campaign::words::wrapped;
 
+/// The files of a window in a folder.
+pub fn files(folder: &Path) -> Vec<String> {
+    let names = ["window.png", "window.svg", "window.csv"];
+    let path = |name: &str| folder.join(name).display().to_string();
+    names.map(path).to_vec()
+}
+
 /// The limits, the safe regions and the best point, and where the files are.
-pub fn describe(view: &WindowView, folder: &Path) -> String {
+pub fn describe(view: &WindowView, files: &[String]) -> String {
     let mut text = wrapped(&view.title, 0, 2);
     for (heading, lines) in [
         ("limits", view.limits()),
@@ -21,8 +28,6 @@ pub fn describe(view: &WindowView, folder: &Path) -> String {
         text.extend(lines.iter().map(|line| wrapped(line, 2, 4)));
     }
     text.push('\n');
-    for name in ["window.png", "window.svg", "window.csv"] {
-        text += &format!("{}\n", folder.join(name).display());
-    }
+    text.extend(files.iter().map(|file| format!("{file}\n")));
     text
 }

@@ -10,9 +10,9 @@ use serde_json::{Value, json};
 
 use super::opening::opening;
 use crate::map::MapDrawing;
-use campaign::quantities::{Axis, TORQUE, Unit, Units, WIDTH};
+use campaign::quantities::{Axis, LENGTH, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
-use campaign::words::shell_word;
+use campaign::words::file_word;
 use plot::{MapAxis, map_axes};
 use results::folder::{Manifest, ResultTables, column_words};
 
@@ -50,7 +50,11 @@ pub fn data(tables: &ResultTables, drawing: &MapDrawing, room: usize) -> Result<
         "methods": manifest.method_names(),
         "opening": opening(manifest),
         "full": manifest.options.full,
-        "shown": { "torque": shown(&units.of(&TORQUE)), "width": shown(&units.of(&WIDTH)) },
+        "shown": {
+            "torque": shown(&units.of(&TORQUE)),
+            "width": shown(&units.of(&WIDTH)),
+            "length": shown(&units.of(&LENGTH)),
+        },
         "failures": failures(&tables.folder.join("failures.csv"))?,
     });
     for digits in DIGITS {
@@ -68,7 +72,15 @@ pub fn data(tables: &ResultTables, drawing: &MapDrawing, room: usize) -> Result<
 
 /// What simulates a case, before and after its number.
 fn command(manifest: &Manifest) -> [String; 2] {
-    let file = shell_word(&format!("{}.toml", manifest.name));
+    let file = manifest
+        .sweep_file
+        .as_ref()
+        .and_then(|file| file.file_name());
+    let file = file.map_or_else(
+        || format!("{}.toml", manifest.name),
+        |name| name.to_string_lossy().into_owned(),
+    );
+    let file = file_word(&file);
     let options = manifest.options;
     let after = [
         (options.full, " --full"),
@@ -101,10 +113,7 @@ fn panels(drawing: &MapDrawing, place: impl Fn(Axis) -> Option<usize>) -> Value 
         let values = combination.map_or(&[][..], Vec::as_slice);
         let held = drawing.others.iter().zip(values);
         let held = held.map(|(&axis, value)| json!([place(axis), value]));
-        let motion = motion.map(|motion| match motion {
-            Motion::Torsion => "torsion",
-            Motion::Lateral => "lateral",
-        });
+        let motion = motion.map(Motion::name);
         json!({ "motion": motion, "held": held.collect::<Value>() })
     });
     panels.collect()

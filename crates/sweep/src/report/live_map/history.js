@@ -47,11 +47,12 @@ const charts = (cases, { row, time, speed, torque, positions, description }) => 
   if (speed) found.push(overTime("Bit speed", time, speed, { unit: "rpm", size: 1 }));
   if (torque) found.push(overTime("Torque on bit", time, torque, cases.shown.torque));
   const from = row.site_from_bit_m ?? 0;
+  const { unit, size } = cases.shown.length;
   const site = from === 0 ? "bit" : `${from}m_above_bit`;
   const path = positions.find((one) => one.site === site);
   if (!path) return found;
   const clearance = description.clearances_mm?.[description.sites_from_bit_m.indexOf(from)];
-  const title = `Orbit ${from === 0 ? "of the bit" : `${from} m above the bit`}; heavy: the last ${CLOSING} s; dashed: the wall`;
+  const title = `Orbit ${from === 0 ? "of the bit" : `${readable(from / size)} ${unit} above the bit`}; heavy: the last ${CLOSING} s; dashed: the wall`;
   found.push(orbit(title, path, cases.shown.width, clearance, closingOf(time)));
   return found;
 };
@@ -80,7 +81,7 @@ const showHistory = async (cases, index, method, shown) => {
     const label = (name) => history.row[name]?.replaceAll("_", " ");
     const labels = LABELS.map(label).filter((words) => words).join(", ");
     status.textContent = `${cases.methods[method]}, simulated in this page in ${Math.ceil(history.milliseconds)} ms: ${labels}`;
-    shown.append(make("div", { class: "panels" }, ...charts(cases, history)));
+    shown.append(make("div", { class: "panels" }, ...charts(cases, history).map(enlargeable)));
     document.dispatchEvent(new CustomEvent("history", { detail: { case: number, method: asked.method, ...history } }));
   } catch (error) {
     status.textContent = `Not simulated: ${error.message}.`;

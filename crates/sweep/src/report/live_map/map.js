@@ -89,6 +89,8 @@ const showTip = (cases, index, others, hint, [x, y]) => {
     ...cases.reasons(index),
     make("p", { class: "note" }, hint),
   );
+  // Above what is open.
+  ([...document.querySelectorAll("dialog[open]")].at(-1) ?? document.body).append(tip);
   tip.hidden = false;
   const { width, height } = tip.getBoundingClientRect();
   const room = document.documentElement.clientWidth;
@@ -201,7 +203,7 @@ class LiveMap {
     if (steps[event.key]) this.show(this.neighbour(at, steps[event.key]));
     else if (event.key === "PageDown" || event.key === "PageUp") this.show(this.next(at, event.key === "PageDown" ? 1 : -1));
     else if (event.key === "Enter" || event.key === " ") this.open(at);
-    else if (event.key === "Escape") this.leave();
+    else if (event.key === "Escape" && !tip.hidden) this.leave();
     else return;
     event.preventDefault();
   }
@@ -228,7 +230,7 @@ class LiveMap {
   }
 }
 
-const dialog = make("dialog", { "aria-labelledby": "case-title" });
+const dialog = make("dialog", { class: "case", "aria-labelledby": "case-title" });
 document.body.append(dialog);
 // A click outside it closes it, as Esc does.
 dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
@@ -280,3 +282,5 @@ for (const figure of document.querySelectorAll("figure[data-cases]")) {
   const areas = figure.querySelectorAll(".area");
   cases.panels.forEach((panel, place) => new LiveMap(cases, panel, areas[place]));
 }
+
+document.querySelectorAll("main .panel").forEach(enlargeable);

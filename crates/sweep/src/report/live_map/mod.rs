@@ -1,9 +1,10 @@
 //! A regime map that a page draws itself: an SVG in the page's colours with words around it
 //! that do not shrink with it, and what its cases are, for who points at one.
 //!
-//! `panel` draws one map, `keys` its legend; `look` names what a style sheet colours. `data`
+//! `panel` draws one map, `keys` its legend, `by_method` are the maps of each method; `look` names what a style sheet colours. `data`
 //! has the cases, and `opening` the sweep that they are of.
 
+mod by_method;
 mod data;
 mod keys;
 mod look;
@@ -20,14 +21,17 @@ use results::folder::ResultTables;
 
 pub use data::shown;
 pub use look::DEFINITIONS;
+pub use panel::panel;
 
 /// The looks of maps.
 pub const STYLE: &str = concat!(include_str!("../../page/plot.css"), include_str!("map.css"));
 
-/// What makes maps answer: the engine's client, charts, a case's motion, and the maps.
+/// What makes maps answer: the engine's client, charts, pictures in large, a case's motion, and the
+/// maps.
 pub const SCRIPT: &str = concat!(
     include_str!("../../page/engine.js"),
     include_str!("../../page/plot.js"),
+    include_str!("../../page/zoom.js"),
     include_str!("history.js"),
     include_str!("map.js")
 );
@@ -55,9 +59,11 @@ const MOST_BYTES: usize = 1_450_000;
 /// # Errors
 /// Where a table cannot be read.
 pub fn live_map(tables: &ResultTables, folders: usize) -> Result<Option<LiveMap>> {
-    let Some(drawing) = drawing(tables)? else {
+    let Some(mut drawing) = drawing(tables)? else {
         return Ok(None);
     };
+    let each = by_method::groups(tables, &drawing)?;
+    drawing.chart.groups.extend(each);
     let data = data::data(tables, &drawing, MOST_BYTES / folders.max(1))?;
     let mut html = html(&drawing);
     if data.is_none() {

@@ -9,8 +9,10 @@ use results::folder::Manifest;
 /// the page to give back; or, where the sweep needs files that are not in the folder, their names.
 pub fn opening(manifest: &Manifest) -> Value {
     let mut sweep = manifest.sweep.clone();
-    // What cases are held against changes none of them.
+    // What cases are held against changes none of them, nor does a name, which engines of earlier
+    // versions do not know.
     sweep.compare.clear();
+    sweep.name = None;
     let survey = sweep.well.iter().flat_map(|well| &well.survey);
     let absent: Vec<&String> = survey.chain(&sweep.surface_speed_file).collect();
     if !absent.is_empty() {

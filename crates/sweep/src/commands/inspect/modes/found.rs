@@ -6,6 +6,8 @@ use anyhow::Result;
 use linear::modes::damped_modes;
 use linear::natural_frequencies::{NaturalFrequencies, Shape};
 use linear::{BuildError, Sites, SurfaceSupport};
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 
 use super::speeds::Excitation;
 use crate::commands::status::UsageError;
@@ -72,21 +74,41 @@ impl ModeFamily {
 }
 
 /// Those of one way to swing.
+#[derive(Serialize)]
 pub struct Modes {
     /// Which.
+    #[serde(flatten)]
     pub of: ModeFamily,
     /// Motions as a rigid rod.
+    #[serde(rename = "rigid_body_modes")]
     pub rigid: usize,
     /// Ways in which the string buckles.
+    #[serde(rename = "buckled_modes")]
     pub buckled: usize,
     /// Natural frequencies from the lowest up, Hz.
+    #[serde(rename = "frequencies_hz")]
     pub frequencies: Vec<f64>,
     /// How many more are below the highest that is excited.
+    #[serde(rename = "not_listed")]
     pub left_out: usize,
     /// Damping ratios, where they are known.
+    #[serde(rename = "damping_ratios")]
     pub damping: Vec<Option<f64>>,
     /// Shapes of the lowest.
+    #[serde(skip)]
     pub shapes: Vec<Shape>,
+}
+
+/// By its name, with the places that hold the string, where it is held.
+impl Serialize for ModeFamily {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("motion", self.name())?;
+        if let Self::BetweenHeld(places) = self {
+            map.serialize_entry("held_from_bit_m", places)?;
+        }
+        map.end()
+    }
 }
 
 /// All modes up to the highest frequency that is excited, and at least a given number.

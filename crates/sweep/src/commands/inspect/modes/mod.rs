@@ -10,46 +10,73 @@ mod words;
 use std::path::Path;
 
 use anyhow::Result;
+use serde::Serialize;
 
 use crate::commands::drawing::Drawing;
 use campaign::plan::Sweep;
+use campaign::quantities::Units;
 use found::{Modes, find};
 use pictures::{campbell_picture, shape_picture};
 use results::files::write_atomically;
 use speeds::Excitation;
+use tables::{CriticalSpeed, critical};
 
-/// Finds and describes the modes, a number of the lowest in full; then writes
-/// tables and pictures.
-///
-/// # Errors
-/// Where that takes too long, or the files cannot be written.
-pub fn show_modes(
-    sweep: &Sweep,
+/// The modes of a string, and what excites them.
+#[derive(Serialize)]
+pub struct InspectedModes {
+    #[serde(flatten)]
+    excitation: Excitation,
+    families: Vec<Modes>,
+    critical_speeds: Vec<CriticalSpeed>,
+    /// How many of each family are described in full.
+    #[serde(skip)]
     count: usize,
-    orders: &[f64],
-    folder: &Path,
-    drawing: &Drawing,
-) -> Result<String> {
-    let excitation = Excitation::of(sweep, orders)?;
-    let found = find(sweep, count, &excitation)?;
-    write_found(&found, &excitation, folder)?;
-    let (look, units) = (&drawing.look, sweep.content.units);
-    let campbell = campbell_picture(look, &sweep.title, &found, &excitation);
-    drawing.save(folder, "campbell", &campbell)?;
-    let shapes = shape_picture(look, &sweep.title, &found, units);
-    drawing.save(folder, "mode_shapes", &shapes)?;
-    let mut text = words::describe(sweep, &found, &excitation, count);
-    for name in ["campbell", "mode_shapes"] {
-        let shown = folder.join(drawing.shown(name));
-        text += &format!("  picture: {}\n", shown.display());
+    pictures: Vec<String>,
+}
+
+impl InspectedModes {
+    /// Finds the modes, a number of the lowest in full, and writes tables and pictures.
+    ///
+    /// # Errors
+    /// Where that takes too long, or the files cannot be written.
+    pub fn find(
+        sweep: &Sweep,
+        count: usize,
+        orders: &[f64],
+        folder: &Path,
+        drawing: &Drawing,
+    ) -> Result<Self> {
+        let excitation = Excitation::of(sweep, orders)?;
+        let families = find(sweep, count, &excitation)?;
+        write_found(&families, &excitation, folder)?;
+        let (look, units) = (&drawing.look, sweep.content.units);
+        let campbell = campbell_picture(look, &sweep.title, &families, &excitation);
+        drawing.save(folder, "campbell", &campbell)?;
+        let shapes = shape_picture(look, &sweep.title, &families, units);
+        drawing.save(folder, "mode_shapes", &shapes)?;
+        let shown = |name| folder.join(drawing.shown(name)).display().to_string();
+        Ok(Self {
+            critical_speeds: critical(&families, &excitation),
+            excitation,
+            families,
+            count,
+            pictures: ["campbell", "mode_shapes"].map(shown).to_vec(),
+        })
     }
-    Ok(text)
+
+    /// In words and numbers.
+    pub fn words(&self, units: Units) -> String {
+        let mut text = words::describe(&self.families, &self.excitation, self.count, units);
+        let pictures = self.pictures.iter();
+        text.extend(pictures.map(|path| format!("  picture: {path}\n")));
+        text
+    }
 }
 
 /// Finds the modes and writes their tables.
 ///
 /// # Errors
-/// As [`show_modes`].
+/// As [`InspectedModes::find`].
 pub fn write_modes(sweep: &Sweep, count: usize, orders: &[f64], folder: &Path) -> Result<()> {
     let excitation = Excitation::of(sweep, orders)?;
     write_found(&find(sweep, count, &excitation)?, &excitation, folder)

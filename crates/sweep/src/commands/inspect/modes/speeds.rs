@@ -1,5 +1,7 @@
 //! What shakes the string: multiples of its surface speed.
 
+use serde::Serialize;
+
 use crate::commands::status::UsageError;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
@@ -11,13 +13,16 @@ const USUAL: [f64; 2] = [0.0, 200.0];
 const MOST_ORDERS: usize = 6;
 
 /// Multiples of the surface speed, over a range of it.
+#[derive(Serialize)]
 pub struct Excitation {
     /// How often each excites per turn: 1 for an eccentric mass, more for the blades or cones of a
     /// bit.
     pub orders: Vec<f64>,
     /// The least and the greatest surface speed, rpm.
+    #[serde(rename = "surface_speed_rpm")]
     pub speeds: [f64; 2],
     /// Whether these are those of the sweep.
+    #[serde(rename = "speeds_are_of_sweep")]
     pub are_of_sweep: bool,
 }
 

@@ -1,6 +1,7 @@
 //! The modes as tables, in SI units.
 
 use anyhow::Result;
+use serde::Serialize;
 
 use super::found::Modes;
 use super::speeds::Excitation;
@@ -28,7 +29,37 @@ pub fn modes(found: &[Modes]) -> Result<Vec<u8>> {
     csv_table(rows)
 }
 
+/// A surface speed at which a multiple of it meets a mode.
+#[derive(Serialize)]
+pub struct CriticalSpeed {
+    motion: &'static str,
+    order: f64,
+    mode: usize,
+    frequency_hz: f64,
+    surface_speed_rpm: f64,
+}
+
 /// Every surface speed in the range at which a multiple meets a mode.
+pub fn critical(found: &[Modes], excitation: &Excitation) -> Vec<CriticalSpeed> {
+    let mut speeds = Vec::new();
+    for modes in found {
+        for &order in &excitation.orders {
+            for (index, &frequency_hz) in modes.frequencies.iter().enumerate() {
+                let speed = excitation.critical(order, frequency_hz);
+                speeds.extend(speed.map(|surface_speed_rpm| CriticalSpeed {
+                    motion: modes.of.name(),
+                    order,
+                    mode: index + 1,
+                    frequency_hz,
+                    surface_speed_rpm,
+                }));
+            }
+        }
+    }
+    speeds
+}
+
+/// They as a table.
 ///
 /// # Errors
 /// Where memory does not take it.
@@ -43,20 +74,14 @@ pub fn critical_speeds(found: &[Modes], excitation: &Excitation) -> Result<Vec<u
     let mut writer = csv::Writer::from_writer(Vec::new());
     // There may be none.
     writer.write_record(header)?;
-    for modes in found {
-        for &order in &excitation.orders {
-            for (index, &frequency) in modes.frequencies.iter().enumerate() {
-                if let Some(speed) = excitation.critical(order, frequency) {
-                    writer.write_record([
-                        modes.of.name().to_owned(),
-                        order.to_string(),
-                        (index + 1).to_string(),
-                        frequency.to_string(),
-                        speed.to_string(),
-                    ])?;
-                }
-            }
-        }
+    for speed in critical(found, excitation) {
+        writer.write_record([
+            speed.motion.to_owned(),
+            speed.order.to_string(),
+            speed.mode.to_string(),
+            speed.frequency_hz.to_string(),
+            speed.surface_speed_rpm.to_string(),
+        ])?;
     }
     Ok(writer.into_inner()?)
 }

@@ -4,19 +4,14 @@ use linear::SurfaceSupport;
 
 use super::found::{ModeFamily, Modes};
 use super::speeds::Excitation;
-use campaign::plan::Sweep;
 use campaign::quantities::{LENGTH, Units};
 use campaign::words::{counted, short, wrapped};
 
 /// A number of the lowest modes of each kind, and the critical speeds.
-pub fn describe(sweep: &Sweep, found: &[Modes], excitation: &Excitation, count: usize) -> String {
+pub fn describe(found: &[Modes], excitation: &Excitation, count: usize, units: Units) -> String {
     let mut text = "\nmodes without damping, bit free, no contact with the wall\n".to_owned();
     for modes in found {
-        let heading = format!(
-            "{}, {}",
-            modes.of.words(),
-            held(&modes.of, sweep.content.units)
-        );
+        let heading = format!("{}, {}", modes.of.words(), held(&modes.of, units));
         text += &wrapped(&heading, 2, 4);
         let damping = modes.damping.iter().flatten().map(|_| "damping".to_owned());
         let orders = excitation.orders.iter();

@@ -1,7 +1,7 @@
 //! The style of methods: one has the same colour in every picture.
 
-use plot::LineStyle;
-use plot::colours::{BLACK, BLUE, Colour, DARK_GREY, GREEN, ORANGE, PURPLE, RED, SKY_BLUE};
+use super::LineStyle;
+use super::colours::{BLACK, BLUE, Colour, DARK_GREY, GREEN, ORANGE, PURPLE, RED, SKY_BLUE};
 
 /// The colours of methods, and of exact responses. Those of the four that draw limits on maps
 /// differ from the colours of symbols.

@@ -1,0 +1,7 @@
+//! Lines of a description: a title and a value.
+
+/// A title and a value, which stand below those of other depths.
+pub fn row(depth: usize, title: &str, value: &str) -> String {
+    let width = 29 - depth;
+    format!("{:depth$}{title:<width$}{value}\n", "")
+}
