@@ -494,6 +494,14 @@ impl Bending {
         }
     }
 
+    /// Without any, of its material alone.
+    pub(crate) fn straight(self) -> Self {
+        Self {
+            compression: 0.0,
+            ..self
+        }
+    }
+
     /// Checks that a string can bend so.
     pub(crate) fn check(&self) -> Result<(), DrillstringError> {
         positive("Young's modulus", self.youngs_modulus)?;

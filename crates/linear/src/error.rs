@@ -268,10 +268,10 @@ pub enum BuildError {
         /// The most that are kept.
         most: usize,
     },
-    /// A loss that depends on frequency is not part of what is stepped element by element.
+    /// A loss that depends on frequency is no part of [`crate::elements::reduction`].
     #[error(
-        "elements that are stepped one by one take no viscosity of the mud and no loss factor: \
-         leave them out, or take responses"
+        "condensed elements take no viscosity of the mud and no loss factor: step them as they \
+         are, or take responses"
     )]
     LossNotStepped,
     /// They would need more memory than is left.

@@ -3,6 +3,7 @@
 //! material's constants.
 
 pub(crate) mod beam;
+pub(crate) mod fading;
 pub(crate) mod mesh;
 mod mud;
 pub mod newmark;

@@ -8,6 +8,7 @@ use crate::loss::Fit;
 use crate::loss::mud::Annulus;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
+use crate::surroundings::Surroundings;
 
 /// The fits of all tubes of a string in one channel.
 #[derive(Debug, Clone, Default)]
@@ -18,22 +19,37 @@ pub(crate) struct MudFits {
 impl MudFits {
     /// Of the tubes between nodes; none where no mud is viscous.
     pub fn new(string: &Drillstring, channel: Channel, spans: &[SurroundedSpan]) -> Self {
+        let tubes = spans.iter().flatten().flat_map(|part| {
+            let tubes = part.runs.iter().flat_map(|run| &run.parts);
+            tubes.map(|tube| (tube, &part.around))
+        });
+        Self::of_tubes(string, channel, tubes)
+    }
+
+    /// The same of tubes with what is around them.
+    pub fn of_tubes<'a>(
+        string: &Drillstring,
+        channel: Channel,
+        tubes: impl Iterator<Item = (&'a Tube, &'a Surroundings)>,
+    ) -> Self {
         let mut known: Vec<(Annulus, Fit)> = Vec::new();
-        for part in spans.iter().flatten() {
-            for tube in part.runs.iter().flat_map(|run| &run.parts) {
-                let Some(mud) = annulus(string, tube, part.around.hole_radius) else {
-                    continue;
+        for mud in tubes.filter_map(|(tube, around)| annulus(string, tube, around.hole_radius)) {
+            if known.iter().all(|(other, _)| *other != mud) {
+                let fit = match channel {
+                    Channel::Torsion => Fit::against_turning(&mud),
+                    Channel::Bending => Fit::against_moving(&mud),
                 };
-                if known.iter().all(|(other, _)| *other != mud) {
-                    let fit = match channel {
-                        Channel::Torsion => Fit::against_turning(&mud),
-                        Channel::Bending => Fit::against_moving(&mud),
-                    };
-                    known.push((mud, fit));
-                }
+                known.push((mud, fit));
             }
         }
         Self { known }
+    }
+
+    /// That of a tube in a hole of a radius (m); `None` where no mud is viscous.
+    pub fn on(&self, string: &Drillstring, tube: &Tube, hole: Option<f64>) -> Option<&Fit> {
+        let mud = annulus(string, tube, hole)?;
+        let found = self.known.iter().find(|(other, _)| *other == mud);
+        found.map(|(_, fit)| fit)
     }
 
     /// All of them at the Laplace variable `s`, rad/s.

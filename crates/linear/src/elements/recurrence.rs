@@ -232,11 +232,7 @@ fn beam_element<T: Number>(
     let mut elastic = Block([2, 3].map(|i| [2, 3].map(|j| T::real(stiffness[i][j]))));
     if let Some(stiffening) = stiffening {
         // Of the modulus alone, not of what compression takes from it.
-        let straight = Bending {
-            compression: 0.0,
-            ..*bending
-        };
-        let own = stiffness_matrix(tube, &straight);
+        let own = stiffness_matrix(tube, &bending.straight());
         let own = Block([2, 3].map(|i| [2, 3].map(|j| T::real(own[i][j]))));
         elastic = elastic + own.multiplied(stiffening - 1.0);
     }

@@ -18,7 +18,7 @@ use super::relaxation::{Relaxation, sum};
 const BAND: [f64; 2] = [0.01, 1000.0];
 
 /// Relaxations of a fit: with as many, of which about 20 are not zero, drag is right to a part in 200.
-const TERMS: usize = 24;
+pub(crate) const TERMS: usize = 24;
 
 /// How far the rates reach beyond the band, below and above.
 const BEYOND: [f64; 2] = [10.0, 8.0];

@@ -18,6 +18,7 @@ use num_complex::Complex64;
 
 use crate::surroundings::Mud;
 pub use fit::Fit;
+pub(crate) use fit::TERMS as MOST_OF_DRAG;
 use mud::Annulus;
 pub use relaxation::{Relaxation, sum};
 

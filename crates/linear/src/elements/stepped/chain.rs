@@ -10,6 +10,7 @@
 use std::ops::Range;
 
 use super::super::newmark::{Matrices, Weights};
+use super::memory::{Memory, Remembered};
 use crate::error::BuildError;
 
 /// What a load accelerates by a smaller part than this of the most is left out: it is below
@@ -17,10 +18,10 @@ use crate::error::BuildError;
 const NEGLIGIBLE: f64 = 1e-18;
 
 /// Between the degrees of freedom of two nodes, row by row.
-type Block<const D: usize> = [[f64; D]; D];
+pub(super) type Block<const D: usize> = [[f64; D]; D];
 
 /// Of each degree of freedom of a node, a value in every plane.
-type Values<const D: usize, const P: usize> = [[f64; P]; D];
+pub(super) type Values<const D: usize, const P: usize> = [[f64; P]; D];
 
 /// The matrices at a node, and between it and the next one.
 #[derive(Debug, Clone)]
@@ -40,20 +41,24 @@ struct Link<const D: usize> {
 pub(super) struct Chain<const D: usize> {
     weights: Weights,
     links: Vec<Link<D>>,
+    /// Where loss has one.
+    memory: Option<Memory<D>>,
 }
 
 /// The motion of a chain in a number of planes, ready for the loads of a step.
 #[derive(Debug, Clone)]
 pub(super) struct ChainMotion<const D: usize, const P: usize> {
     nodes: Vec<NodeMotion<D, P>>,
+    remembered: Option<Remembered<D, P>>,
 }
 
 /// Displacement and velocity as predicted, and acceleration.
 #[derive(Debug, Clone, Copy)]
-struct NodeMotion<const D: usize, const P: usize> {
+pub(super) struct NodeMotion<const D: usize, const P: usize> {
     displacement: Values<D, P>,
     velocity: Values<D, P>,
-    acceleration: Values<D, P>,
+    /// Before it is found, what is known of the force.
+    pub(super) acceleration: Values<D, P>,
 }
 
 /// Accelerations of the nodes around a unit load.
@@ -88,6 +93,21 @@ impl<const D: usize> Chain<D> {
             damping[place / D][place % D] = *dashpot;
             effective.add(place, place, velocity_gain * dashpot);
         }
+        let memory = matrices.fading().map(|fading| {
+            let (memory, at_once) = Memory::new(fading, held, nodes, &weights);
+            for (place, dashpot) in at_once.dashpots.iter().enumerate() {
+                let place = place + held;
+                damping[place / D][place % D] += dashpot;
+                effective.add(place, place, velocity_gain * dashpot);
+            }
+            for entry in &fading.elastic {
+                let (row, column) = (entry.row + held, entry.col + held);
+                let value = at_once.stiffness * entry.val;
+                stiffness.add(row, column, value);
+                effective.add(row, column, displacement_gain * value);
+            }
+            memory
+        });
         // What is held has no force on it and is never accelerated.
         for place in 0..held {
             effective.add(place, place, 1.0);
@@ -110,12 +130,20 @@ impl<const D: usize> Chain<D> {
                 factor_below,
             });
         }
-        Ok(Self { weights, links })
+        Ok(Self {
+            weights,
+            links,
+            memory,
+        })
     }
 
-    /// Bytes of a number of nodes.
-    pub fn bytes(nodes: f64) -> f64 {
-        size_of::<Link<D>>() as f64 * nodes
+    /// Bytes of a number of nodes, with at most so many relaxations of drag and of the material.
+    pub fn bytes(nodes: f64, relaxations: [usize; 2]) -> f64 {
+        let memory = match relaxations {
+            [0, 0] => 0.0,
+            some => Memory::<D>::bytes(nodes, some),
+        };
+        size_of::<Link<D>>() as f64 * nodes + memory
     }
 
     /// Bytes of a column that all of a number of nodes feel.
@@ -132,13 +160,21 @@ impl<const D: usize> Chain<D> {
         };
         ChainMotion {
             nodes: vec![still; self.links.len()],
+            remembered: self.memory.as_ref().map(Memory::rest),
         }
     }
 
     /// The next step, no load acting.
     pub fn advance<const P: usize>(&self, motion: &mut ChainMotion<D, P>) {
         let nodes = &mut motion.nodes[..self.links.len()];
-        if let Some(first) = nodes.first_mut() {
+        let remembers = match (&self.memory, &mut motion.remembered) {
+            (Some(memory), Some(remembered)) => {
+                memory.predict(remembered, nodes, &self.weights);
+                true
+            }
+            _ => false,
+        };
+        if let Some(first) = nodes.first_mut().filter(|_| !remembers) {
             first.predict(&self.weights);
         }
         // What the node above leaves on the right-hand side of the next.
@@ -147,8 +183,11 @@ impl<const D: usize> Chain<D> {
             let (above, below) = nodes.split_at_mut(index + 1);
             let node = &mut above[index];
             let mut force = carried;
+            add(&mut force, node.acceleration);
             if let Some(below) = below.first_mut() {
-                below.predict(&self.weights);
+                if !remembers {
+                    below.predict(&self.weights);
+                }
                 subtract_transposed(&mut force, &link.stiffness_below, &below.displacement);
             }
             for ((force, damping), velocity) in
@@ -209,9 +248,10 @@ fn felt<const D: usize>(values: &[Values<D, 1>]) -> Range<usize> {
 }
 
 impl<const D: usize, const P: usize> ChainMotion<D, P> {
-    /// Bytes of a number of nodes.
-    pub fn bytes(nodes: f64) -> f64 {
-        size_of::<NodeMotion<D, P>>() as f64 * nodes
+    /// Bytes of a number of nodes, with at most so many relaxations of drag and of the material.
+    pub fn bytes(nodes: f64, relaxations: [usize; 2]) -> f64 {
+        let remembered = Remembered::<D, P>::bytes(nodes, relaxations);
+        size_of::<NodeMotion<D, P>>() as f64 * nodes + remembered
     }
 
     /// Adds what loads in every plane do to the step.
@@ -242,8 +282,22 @@ impl<const D: usize, const P: usize> ChainMotion<D, P> {
 }
 
 impl<const D: usize, const P: usize> NodeMotion<D, P> {
+    /// Displacement and velocity of the step, all its loads applied.
+    pub(super) fn now(&self, weights: &Weights) -> (Values<D, P>, Values<D, P>) {
+        let [mut displacement, mut velocity] = [self.displacement, self.velocity];
+        for freedom in 0..D {
+            for plane in 0..P {
+                let acceleration = self.acceleration[freedom][plane];
+                displacement[freedom][plane] += weights.displacement_gain() * acceleration;
+                velocity[freedom][plane] += weights.velocity_gain() * acceleration;
+            }
+        }
+        (displacement, velocity)
+    }
+
+    /// Proceeds to the next step, of which no force is known yet.
     #[inline(always)]
-    fn predict(&mut self, weights: &Weights) {
+    pub(super) fn predict(&mut self, weights: &Weights) {
         let step = weights.step;
         let gain = (0.5 + weights.gamma) * step * step;
         for freedom in 0..D {
@@ -252,6 +306,7 @@ impl<const D: usize, const P: usize> NodeMotion<D, P> {
                 let velocity = self.velocity[freedom][plane];
                 self.displacement[freedom][plane] += step * velocity + gain * acceleration;
                 self.velocity[freedom][plane] = velocity + step * acceleration;
+                self.acceleration[freedom][plane] = 0.0;
             }
         }
     }
@@ -267,13 +322,14 @@ impl<const D: usize> Column<D> {
 }
 
 /// A symmetric matrix by its nodes.
-struct Blocks<const D: usize> {
-    own: Vec<Block<D>>,
-    below: Vec<Block<D>>,
+pub(super) struct Blocks<const D: usize> {
+    pub(super) own: Vec<Block<D>>,
+    /// Between each node and the next.
+    pub(super) below: Vec<Block<D>>,
 }
 
 impl<const D: usize> Blocks<D> {
-    fn new(nodes: usize) -> Self {
+    pub(super) fn new(nodes: usize) -> Self {
         Self {
             own: vec![[[0.0; D]; D]; nodes],
             below: vec![[[0.0; D]; D]; nodes],
@@ -281,7 +337,7 @@ impl<const D: usize> Blocks<D> {
     }
 
     /// Adds an entry; those above the diagonal blocks are their mirrors'.
-    fn add(&mut self, row: usize, column: usize, value: f64) {
+    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
         let (node, other) = (row / D, column / D);
         if node == other {
             self.own[node][row % D][column % D] += value;
@@ -292,7 +348,24 @@ impl<const D: usize> Blocks<D> {
 }
 
 #[inline(always)]
-fn times<const D: usize, const P: usize>(block: &Block<D>, values: &Values<D, P>) -> Values<D, P> {
+pub(super) fn add<const D: usize, const P: usize>(sum: &mut Values<D, P>, values: Values<D, P>) {
+    sum.iter_mut()
+        .zip(values)
+        .for_each(|(sum, values)| add_row(sum, values));
+}
+
+#[inline(always)]
+pub(super) fn add_row<const P: usize>(sum: &mut [f64; P], values: [f64; P]) {
+    sum.iter_mut()
+        .zip(values)
+        .for_each(|(sum, value)| *sum += value);
+}
+
+#[inline(always)]
+pub(super) fn times<const D: usize, const P: usize>(
+    block: &Block<D>,
+    values: &Values<D, P>,
+) -> Values<D, P> {
     std::array::from_fn(|row| {
         std::array::from_fn(|plane| (0..D).map(|it| block[row][it] * values[it][plane]).sum())
     })
@@ -323,7 +396,7 @@ fn subtract_transposed<const D: usize, const P: usize>(
 }
 
 #[inline(always)]
-fn transposed<const D: usize>(block: Block<D>) -> Block<D> {
+pub(super) fn transposed<const D: usize>(block: Block<D>) -> Block<D> {
     std::array::from_fn(|row| std::array::from_fn(|column| block[column][row]))
 }
 
