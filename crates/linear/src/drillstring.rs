@@ -273,6 +273,25 @@ impl Drillstring {
         self.material.density * tube.area() + mud * bore
     }
 
+    /// The same string, about as long as another, with the loss of that which depends on
+    /// frequency: in its hole of mud, where that is viscous, and of its material.
+    ///
+    /// # Errors
+    /// Where it does not fit into that hole.
+    pub fn with_loss_of(self, other: &Self) -> Result<Self, DrillstringError> {
+        let string = self.with_loss_factor(other.loss.loss_factor())?;
+        let hole = other.hole.as_ref().filter(|hole| hole.mud.viscosity > 0.0);
+        let Some(hole) = hole else {
+            return Ok(string);
+        };
+        // Deep enough however lengths were rounded.
+        let mut deeper = hole.clone();
+        if let Some(last) = deeper.sections.last_mut() {
+            last.length *= 2.0;
+        }
+        string.in_hole(deeper)
+    }
+
     /// The same string, its surface turning as prescribed.
     pub fn without_top_drive(self) -> Self {
         Self {

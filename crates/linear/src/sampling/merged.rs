@@ -3,7 +3,6 @@
 
 use crate::drillstring::{Drillstring, Section, Tube};
 use crate::error::DrillstringError;
-use crate::surroundings::Hole;
 
 /// Lengths are rounded to this, m: parts that were cut and put together again are as long as
 /// before only up to rounding.
@@ -22,30 +21,13 @@ const MOST_PARTS: usize = 8;
 /// Where the string is so short that rounding leaves nothing of it.
 pub fn merged(string: &Drillstring) -> Result<Drillstring, DrillstringError> {
     let sections = sections(&tubes(string));
-    let mut merged = Drillstring::new(string.material(), sections, string.torsional_damping())?
-        .with_loss_factor(string.loss().loss_factor())?;
-    if string.loss().viscous_mud().is_some()
-        && let Some(hole) = string.hole()
-    {
-        merged = merged.in_hole(deeper(hole))?;
-    }
+    let merged = Drillstring::new(string.material(), sections, string.torsional_damping())?
+        .with_loss_of(string)?;
     match string.top_drive() {
         None => Ok(merged),
         Some(drive) => merged.with_top_drive(drive),
     }
 }
-
-/// A hole that reaches below the end of a string, however that is rounded.
-fn deeper(hole: &Hole) -> Hole {
-    let mut deeper = hole.clone();
-    if let Some(last) = deeper.sections.last_mut() {
-        last.length *= 1.0 + DEEPER;
-    }
-    deeper
-}
-
-/// By this part of its last section.
-const DEEPER: f64 = 1.0;
 
 /// Tubes from the surface down, no two equal ones next to each other.
 fn tubes(string: &Drillstring) -> Vec<Tube> {
