@@ -7,7 +7,6 @@ pub mod bending;
 pub mod block;
 pub mod chain;
 pub mod lanes;
-pub mod lossy;
 pub mod matrix;
 pub mod nodes;
 pub mod number;

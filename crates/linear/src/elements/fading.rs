@@ -2,10 +2,10 @@
 //! node for each relaxation of the drag of mud, and in every element for each of its material.
 
 use super::mesh::Mesh;
-use super::mud::MudFits;
 use super::newmark::Entry;
 use crate::channel::Channel;
 use crate::drillstring::Drillstring;
+use crate::loss::along::LossAlong;
 use crate::loss::{Loss, MOST_OF_DRAG, Relaxation};
 
 /// Forces that depend on earlier motion, and fade.
@@ -78,9 +78,9 @@ impl NodalDrag {
             at_rest: vec![0.0; freedoms],
             fading: Vec::new(),
         };
-        let fits = MudFits::of_tubes(string, channel, mesh.elements_around());
+        let fitted = LossAlong::fitted(string, channel, mesh.elements_around());
         for (upper, (element, around)) in mesh.elements_around().enumerate() {
-            let Some(fit) = fits.on(string, element, around.hole_radius) else {
+            let Some(fit) = fitted.drag_on(element, around.hole_radius) else {
                 continue;
             };
             let half = 0.5 * element.length;

@@ -5,7 +5,6 @@
 pub(crate) mod beam;
 pub(crate) mod fading;
 pub(crate) mod mesh;
-mod mud;
 pub mod newmark;
 pub mod reconstruction;
 pub(crate) mod recurrence;
@@ -13,4 +12,4 @@ pub mod reduction;
 pub mod stepped;
 pub(crate) mod torsion;
 
-pub use mud::error_of_drag;
+pub use crate::loss::along::error_of_drag;

@@ -11,13 +11,11 @@
 
 use super::beam::{dashpot, mass_matrix, stiffness_matrix};
 use super::mesh::{check_number, divided, longest_element};
-use super::mud::MudFits;
 use super::newmark::Weights;
 use super::torsion::Element;
 use crate::assembly::bending::Beam;
 use crate::assembly::block::Block;
 use crate::assembly::chain::{Ends, Stiffness};
-use crate::assembly::lossy::Lossy;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::nodes::Relation;
 use crate::assembly::number::Number;
@@ -27,6 +25,8 @@ use crate::assembly::{bending, chain, torsion};
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
 use crate::error::BuildError;
+use crate::loss::along::{LossAlong, tubes};
+use crate::loss::fit::Fit;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
@@ -65,7 +65,7 @@ pub(crate) struct ElementChain<'a> {
     sites: usize,
     longest: f64,
     weights: Weights,
-    mud: MudFits,
+    loss: LossAlong<Fit>,
 }
 
 impl<'a> ElementChain<'a> {
@@ -85,7 +85,7 @@ impl<'a> ElementChain<'a> {
         check_number(&spans, longest)?;
         Ok(Self {
             string,
-            mud: MudFits::new(string, channel, &spans),
+            loss: LossAlong::fitted(string, channel, tubes(&spans)),
             spans,
             sites: sites.len(),
             longest,
@@ -101,14 +101,12 @@ impl<'a> ElementChain<'a> {
         zeta: T,
     ) -> ResponseMatrix<T> {
         let rates = Rates::at(&self.weights, zeta);
-        let lossy = Lossy::new(self.string.loss(), || rates.trapezoidal);
-        let mud = self.mud.at(rates.trapezoidal);
+        let loss = self.loss.at(|| rates.trapezoidal);
         let tube = |around: Surroundings, tube: &Tube| {
             let (count, element) = divided(tube, self.longest);
             // The mass that is moved aside however fast is mass to the scheme as well.
             let mass = self.string.mass_sideways(tube, around.hole_radius);
-            let mud = mud.on(self.string, tube, around.hole_radius);
-            let loss = (mud, lossy.stiffening());
+            let loss = (loss.drag_on(tube, around.hole_radius), loss.stiffening());
             let element = beam_element(&bending.under(around.tension), &element, mass, rates, loss);
             Beam::of(element).repeated(count)
         };
@@ -149,13 +147,9 @@ impl ElementChain<'_> {
         &self,
         rates: Rates<T>,
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
-        let lossy = Lossy::new(self.string.loss(), || rates.trapezoidal);
-        let mud = self.mud.at(rates.trapezoidal);
+        let loss = self.loss.at(|| rates.trapezoidal);
         let tube = move |around: Surroundings, tube: &Tube| {
-            let loss = (
-                mud.on(self.string, tube, around.hole_radius),
-                lossy.stiffening(),
-            );
+            let loss = (loss.drag_on(tube, around.hole_radius), loss.stiffening());
             torsion_row(self.string, divided(tube, self.longest), rates, loss)
         };
         (self.spans.iter()).map(move |span| chain::surrounded(span, Ends::Both, &tube))

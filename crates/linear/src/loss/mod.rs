@@ -6,8 +6,10 @@
 //! γ² = s(c + sρJ)/(GJ m) takes the place of Eq. 2. Every part is that of something passive, so
 //! that every response stays positive-real, and m(0) = 1 leaves statics as they are.
 
+pub(crate) mod along;
 mod bessel;
-mod fit;
+pub(crate) mod fit;
+pub(crate) mod interpolated;
 pub(crate) mod mud;
 mod narrow;
 #[cfg(test)]

@@ -4,11 +4,11 @@
 use super::academic::{self, SAMPLING_FREQUENCY, tube};
 use linear::RaisedCosine;
 use linear::assembly::chain::{self, Ends, Stiffness};
-use linear::assembly::lossy::Lossy;
 use linear::assembly::torsion::DynamicStiffness;
 use linear::estimates::{
     torsional_impedance, torsional_stiffness, torsional_travel_time, torsional_wave_left,
 };
+use linear::loss::along::LossAlong;
 use linear::passivity::Ending;
 use linear::waves::{network::TorsionNetwork, torsion};
 use linear::{
@@ -32,7 +32,8 @@ fn responses(string: &Drillstring, method: &Method, request: &Request) -> Channe
 
 /// A tube without mud around it.
 fn bare(string: &Drillstring, tube: &Tube, s: Complex64) -> DynamicStiffness {
-    torsion::uniform(string, (tube, None), s, &Lossy::new(string.loss(), || s))
+    let loss = LossAlong::exact(string, linear::Channel::Torsion, &[]);
+    torsion::uniform(string, (tube, None), s, &loss.at(|| s))
 }
 
 fn running_sum(taps: &[f64]) -> Vec<f64> {

@@ -23,12 +23,13 @@ use num_complex::Complex64;
 use super::bending::{Resistance, endless, uniform};
 use crate::assembly::bending::reduce;
 use crate::assembly::chain::hanging;
-use crate::assembly::lossy::Lossy;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::number::Number;
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
 use crate::error::DrillstringError;
+use crate::loss::along::LossAlong;
+use crate::loss::interpolated::Interpolated;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
@@ -41,6 +42,7 @@ pub struct BendingNetwork<'a> {
     support: SurfaceSupport,
     spans: Vec<SurroundedSpan>,
     sites: usize,
+    loss: LossAlong<Interpolated>,
 }
 
 impl<'a> BendingNetwork<'a> {
@@ -56,11 +58,13 @@ impl<'a> BendingNetwork<'a> {
         sites: &Sites,
     ) -> Result<Self, DrillstringError> {
         bending.check()?;
+        let spans = string.surrounded_spans(Channel::Bending, sites)?;
         Ok(Self {
             string,
             bending,
             support,
-            spans: string.surrounded_spans(Channel::Bending, sites)?,
+            loss: LossAlong::exact(string, Channel::Bending, &spans),
+            spans,
             sites: sites.len(),
         })
     }
@@ -96,10 +100,10 @@ impl<'a> BendingNetwork<'a> {
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance<T: Number>(&self, s: T) -> ResponseMatrix<T> {
-        let lossy = Lossy::new(self.string.loss(), || s);
+        let loss = self.loss.at(|| s);
         let tube = |around: Surroundings, tube: &Tube| {
             let bending = self.bending.under(around.tension);
-            let foundation = match lossy.mud_against_moving(tube, around.hole_radius) {
+            let foundation = match loss.drag_on(tube, around.hole_radius) {
                 None => {
                     let mass = self.string.mass_sideways(tube, around.hole_radius);
                     s * (s * mass + bending.damping)
@@ -112,7 +116,7 @@ impl<'a> BendingNetwork<'a> {
             };
             let resistance = Resistance {
                 foundation,
-                stiffening: lossy.stiffening(),
+                stiffening: loss.stiffening(),
             };
             endless(&bending, tube, resistance)
                 .unwrap_or_else(|| uniform(&bending, tube, resistance))

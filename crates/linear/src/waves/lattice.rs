@@ -33,8 +33,9 @@
 //! # Ok::<(), linear::DrillstringError>(())
 //! ```
 
+use std::sync::Arc;
+
 use crate::assembly::chain::Stiffness;
-use crate::assembly::lossy::Lossy;
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
     Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
@@ -43,7 +44,8 @@ use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Section, Tube};
 use crate::error::DrillstringError;
 use crate::estimates::{torsional_impedance, torsional_travel_time};
-use crate::loss::Loss;
+use crate::loss::along::{LossAlong, LossAt};
+use crate::loss::interpolated::Interpolated;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::top_drive::TopDrive;
@@ -74,7 +76,7 @@ pub struct Lattice {
     spans: Vec<Vec<Run>>,
     sites: usize,
     top_drive: Option<TopDrive>,
-    loss: Box<Loss>,
+    loss: Arc<LossAlong<Interpolated>>,
 }
 
 /// Cells in a row.
@@ -109,6 +111,7 @@ impl Lattice {
     /// Where these are not places of this string.
     pub fn new(string: &Drillstring, sites: &Sites) -> Result<Self, DrillstringError> {
         let spans = string.surrounded_spans(Channel::Torsion, sites)?;
+        let loss = Arc::new(LossAlong::exact(string, Channel::Torsion, &spans));
         let travel = torsional_travel_time(string);
         let longest = (travel / FEWEST_PIECES).min(longest_damped(string));
         let parts = string.tubes().map(|(_, tube)| tube.length);
@@ -117,13 +120,18 @@ impl Lattice {
         let shortest = longest.min(shortest);
         let price = |lattice: &Self| lattice.misfit / travel + PRICE * travel / lattice.step;
         let lattices = (steps(string, &spans, [shortest, longest]).into_iter())
-            .map(|step| Self::of_steps(string, &spans, sites.len(), step));
+            .map(|step| Self::of_steps(string, (&spans, &loss), sites.len(), step));
         let best = lattices.min_by(|one, other| price(one).total_cmp(&price(other)));
-        Ok(best.unwrap_or_else(|| Self::of_steps(string, &spans, sites.len(), longest)))
+        Ok(best.unwrap_or_else(|| Self::of_steps(string, (&spans, &loss), sites.len(), longest)))
     }
 
     /// Cuts a string into pieces of one travel time, s.
-    fn of_steps(string: &Drillstring, spans: &[SurroundedSpan], sites: usize, step: f64) -> Self {
+    fn of_steps(
+        string: &Drillstring,
+        (spans, loss): (&[SurroundedSpan], &Arc<LossAlong<Interpolated>>),
+        sites: usize,
+        step: f64,
+    ) -> Self {
         let mut cutter = Cutter {
             string,
             step,
@@ -151,7 +159,7 @@ impl Lattice {
             spans,
             sites,
             top_drive: string.top_drive(),
-            loss: Box::new(string.loss().clone()),
+            loss: Arc::clone(loss),
         }
     }
 
@@ -308,23 +316,23 @@ struct Waves<'a, T> {
     /// Where they turn against one another, (1 + ζ)/(1 − ζ), in a material with loss m times that.
     opposite: T,
     /// By the trapezoidal rule in steps of a piece, which keeps what is passive so.
-    lossy: Lossy<'a, T>,
+    loss: LossAt<'a, T>,
 }
 
 impl<'a, T: Number> Waves<'a, T> {
     /// At ζ, where pieces take the time `step` (s).
-    fn at(zeta: T, step: f64, loss: &'a Loss) -> Self {
+    fn at(zeta: T, step: f64, loss: &'a LossAlong<Interpolated>) -> Self {
         let (sum, difference) = (zeta + 1.0, -zeta + 1.0);
         let alike = difference * sum.inverse();
         let opposite = sum * difference.inverse();
-        let lossy = Lossy::new(loss, || alike * (2.0 / step));
+        let loss = loss.at(|| alike * (2.0 / step));
         Self {
             alike,
-            opposite: match lossy.stiffening() {
+            opposite: match loss.stiffening() {
                 None => opposite,
                 Some(stiffening) => opposite * stiffening,
             },
-            lossy,
+            loss,
         }
     }
 }
@@ -367,7 +375,7 @@ impl Part {
         let dashpot = 0.5 * self.damping / pieces as f64;
         let mut alike = waves.alike * self.impedance + dashpot;
         let mut opposite = waves.opposite * self.impedance + dashpot;
-        if let Some(mud) = waves.lossy.mud_against_turning(&self.tube, self.hole) {
+        if let Some(mud) = waves.loss.drag_on(&self.tube, self.hole) {
             let mud = mud * (0.5 * self.tube.length / pieces as f64);
             (alike, opposite) = (alike + mud, opposite + mud);
         }

@@ -24,7 +24,6 @@ use num_complex::Complex64;
 
 use super::torsion::uniform;
 use crate::assembly::chain::{self, Ends, Stiffness};
-use crate::assembly::lossy::Lossy;
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
     Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
@@ -33,6 +32,8 @@ use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::DrillstringError;
 use crate::estimates::torsional_resistance;
+use crate::loss::along::LossAlong;
+use crate::loss::interpolated::Interpolated;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
@@ -43,6 +44,7 @@ pub struct TorsionNetwork<'a> {
     string: &'a Drillstring,
     spans: Vec<SurroundedSpan>,
     sites: usize,
+    loss: LossAlong<Interpolated>,
 }
 
 impl<'a> TorsionNetwork<'a> {
@@ -51,9 +53,11 @@ impl<'a> TorsionNetwork<'a> {
     /// # Errors
     /// Where these are not places of this string.
     pub fn new(string: &'a Drillstring, sites: &Sites) -> Result<Self, DrillstringError> {
+        let spans = string.surrounded_spans(Channel::Torsion, sites)?;
         Ok(Self {
             string,
-            spans: string.surrounded_spans(Channel::Torsion, sites)?,
+            loss: LossAlong::exact(string, Channel::Torsion, &spans),
+            spans,
             sites: sites.len(),
         })
     }
@@ -68,9 +72,9 @@ impl<'a> TorsionNetwork<'a> {
         &self,
         s: T,
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
-        let lossy = Lossy::new(self.string.loss(), || s);
+        let loss = self.loss.at(|| s);
         let tube = move |around: Surroundings, tube: &Tube| {
-            uniform(self.string, (tube, around.hole_radius), s, &lossy)
+            uniform(self.string, (tube, around.hole_radius), s, &loss)
         };
         (self.spans.iter()).map(move |span| chain::surrounded(span, Ends::Both, &tube))
     }

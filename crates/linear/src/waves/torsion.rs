@@ -1,9 +1,9 @@
 //! Torsional waves in a uniform tube (Eqs. 1–3).
 
-use crate::assembly::lossy::Lossy;
 use crate::assembly::number::Number;
 use crate::assembly::torsion::DynamicStiffness;
 use crate::drillstring::{Drillstring, Tube};
+use crate::loss::along::LossAt;
 
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s):
 /// G J γ coth γL and −G J γ csch γL with γ² = s(c_t + sρJ)/(GJ). In a `hole` (its radius, m) of
@@ -13,18 +13,18 @@ pub fn uniform<T: Number>(
     string: &Drillstring,
     (tube, hole): (&Tube, Option<f64>),
     s: T,
-    lossy: &Lossy<'_, T>,
+    loss: &LossAt<'_, T>,
 ) -> DynamicStiffness<T> {
     let material = string.material();
     let polar_moment = tube.polar_moment();
     let rigidity = material.shear_modulus * polar_moment;
     let inertia = material.density * polar_moment;
     let mut damped = s * inertia + string.torsional_damping();
-    if let Some(mud) = lossy.mud_against_turning(tube, hole) {
+    if let Some(mud) = loss.drag_on(tube, hole) {
         damped = damped + mud;
     }
     let mut squared = s * damped * rigidity.recip();
-    let stiffening = lossy.stiffening();
+    let stiffening = loss.stiffening();
     if let Some(stiffening) = stiffening {
         squared = squared * stiffening.inverse();
     }
