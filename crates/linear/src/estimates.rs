@@ -293,6 +293,30 @@ pub fn torsional_wave_left_at(string: &Drillstring, frequency: f64) -> f64 {
     (-in_mud::tubes(string).into_iter().map(wave).sum::<f64>()).exp()
 }
 
+/// The highest frequency (Hz) at which all loss leaves a part of the amplitude of a torsional wave
+/// on its way from the surface to the bit, between 0.01 Hz and 1 MHz: where loss grows with
+/// frequency, what is faster does not come back.
+pub fn torsional_wave_survives_to(string: &Drillstring, part: f64) -> f64 {
+    let is_left = |hertz: f64| torsional_wave_left_at(string, hertz) > part;
+    // By halving the interval of its logarithm.
+    let [mut low, mut high] = [0.01_f64, 1e6].map(f64::ln);
+    if is_left(high.exp()) {
+        return high.exp();
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if is_left(middle.exp()) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high.exp()
+}
+
+/// To a ten-thousandth of the frequency.
+const HALVINGS: usize = 18;
+
 /// Δ of Eq. 75: the largest undershoot of the step response whose taps are
 /// given, in the units of the response (rad/s per N m at the bit). Where nothing comes back
 /// from the surface there is none.
