@@ -8,6 +8,7 @@ use linear::falling_torque::{Resonance, resonances};
 use linear::{Drillstring, DrillstringError};
 use serde::Serialize;
 
+use crate::axes::range_of_axis;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::records::to_rpm;
@@ -20,7 +21,7 @@ const SLOW_MODES: f64 = 24.0;
 /// Of a string whose loss does, all modes up to this, Hz.
 const HIGHEST: f64 = 1000.0;
 
-/// Up to which frequency (Hz) vibration is looked at for the limit of smooth rotation.
+/// Up to which frequency (Hz) vibration counts for the limit of smooth rotation.
 pub(crate) fn highest_frequency(string: &Drillstring) -> f64 {
     if string.loss().has_memory() {
         return HIGHEST;
@@ -68,7 +69,7 @@ fn speed_of_growth(sweep: &Sweep, fall: f64) -> Option<f64> {
     let mut conditions = sweep.conditions.clone();
     for (place, &axis) in sweep.design.axes().iter().enumerate() {
         if matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm) {
-            let [_, greatest] = crate::boundary::range_of_axis(sweep, place);
+            let [_, greatest] = range_of_axis(sweep, place);
             conditions = conditions.with(axis, greatest);
         }
     }

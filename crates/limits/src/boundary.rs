@@ -11,6 +11,7 @@ use linear::estimates::largest_undershoot;
 use linear::falling_torque::steepest_fall;
 use serde::Deserialize;
 
+use crate::axes::{position, range_of_axis};
 use crate::bit_resonances::highest_frequency;
 use crate::many_sites_limit::many_sites_limit;
 use crate::sliding_together::sliding_together;
@@ -124,19 +125,6 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
         }
         _ => Ok(Boundary::StickSlip(Vec::new())),
     }
-}
-
-/// The place of an axis among those of the design.
-pub(super) fn position(sweep: &Sweep, is_wanted: impl Fn(Axis) -> bool) -> Option<usize> {
-    sweep.design.axes().iter().position(|&axis| is_wanted(axis))
-}
-
-/// The least and the greatest value of an axis.
-pub(super) fn range_of_axis(sweep: &Sweep, position: usize) -> [f64; 2] {
-    let values = (0..sweep.design.cases()).map(|case| sweep.design.values(case)[position]);
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], value| {
-        [from.min(value), to.max(value)]
-    })
 }
 
 /// Values from the least to the greatest of an axis.

@@ -1,11 +1,12 @@
 //! Loss with a memory as elements have it that are stepped: a dashpot with a spring behind it at a
 //! node for each relaxation of the drag of mud, and in every element for each of its material.
 
+use faer::sparse::Triplet;
+
 use super::mesh::Mesh;
-use super::newmark::Entry;
 use crate::channel::Channel;
+use crate::distributed_loss::LossAlong;
 use crate::drillstring::Drillstring;
-use crate::loss::along::LossAlong;
 use crate::loss::{Loss, MOST_OF_DRAG, Relaxation};
 
 /// Forces that depend on earlier motion, and fade.
@@ -16,7 +17,7 @@ pub(crate) struct Fading {
     /// Of the elastic stiffness.
     pub material: Vec<Relaxation>,
     /// What fades of it, of weight one.
-    pub elastic: Vec<Entry>,
+    pub elastic: Vec<Triplet<usize, usize, f64>>,
 }
 
 impl Fading {
@@ -25,7 +26,7 @@ impl Fading {
         string: &Drillstring,
         drag: NodalDrag,
         dashpots: &mut [f64],
-        elastic: Vec<Entry>,
+        elastic: Vec<Triplet<usize, usize, f64>>,
     ) -> Option<Self> {
         for (dashpot, drag) in dashpots.iter_mut().zip(drag.at_rest) {
             *dashpot += drag;

@@ -12,4 +12,4 @@ pub mod reduction;
 pub mod stepped;
 pub(crate) mod torsion;
 
-pub use crate::loss::along::error_of_drag;
+pub use crate::distributed_loss::error_of_drag;

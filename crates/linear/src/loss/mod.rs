@@ -5,11 +5,33 @@
 //! Torque per length and speed is c(s) = c_t + what mud takes, and the shear modulus G m(s):
 //! γ² = s(c + sρJ)/(GJ m) takes the place of Eq. 2. Every part is that of something passive, so
 //! that every response stays positive-real, and m(0) = 1 leaves statics as they are.
+//!
+//! Mud in the bore and in the annulus holds a fast vibration back by the square root of its frequency,
+//! and both by 2πR³ √(ρμs) as if their walls were plane:
+//!
+//! ```
+//! use linear::{Complex64, Drillstring, Hole, HoleSection, Material, Mud, Section, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 1000.0, inner_radius: 0.054, outer_radius: 0.0635 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.0)?;
+//! let sections = vec![HoleSection { length: 1000.0, radius: 0.108 }];
+//! let mud = Mud { density: 1200.0, viscosity: 0.03 };
+//! let string = string.in_hole(Hole { sections, mud })?.with_loss_factor(1e-3)?;
+//! let s = Complex64::new(0.0, 1e6);
+//! let drag = string.loss().against_turning([0.054, 0.0635], Some(0.108), s);
+//! let layers = (s * 1200.0 * 0.03).sqrt() * std::f64::consts::TAU;
+//! let plane = layers * (0.054f64.powi(3) + 0.0635f64.powi(3));
+//! assert!((drag / plane - 1.0).norm() < 1e-2);
+//! // A material without loss is as stiff at rest, and turns by its loss factor elsewhere.
+//! assert_eq!(string.loss().stiffening(Complex64::ZERO), Complex64::ONE);
+//! let angle = string.loss().stiffening(Complex64::new(0.0, 100.0)).arg();
+//! assert!((angle / 1e-3 - 1.0).abs() < 0.07);
+//! # Ok::<(), linear::DrillstringError>(())
+//! ```
 
-pub(crate) mod along;
 mod bessel;
-pub(crate) mod fit;
-pub(crate) mod interpolated;
+mod fit;
 pub(crate) mod mud;
 mod narrow;
 #[cfg(test)]

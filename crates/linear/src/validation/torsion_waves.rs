@@ -5,10 +5,10 @@ use super::academic::{self, SAMPLING_FREQUENCY, tube};
 use linear::RaisedCosine;
 use linear::assembly::chain::{self, Ends, Stiffness};
 use linear::assembly::torsion::DynamicStiffness;
+use linear::distributed_loss::LossAlong;
 use linear::estimates::{
     torsional_impedance, torsional_stiffness, torsional_travel_time, torsional_wave_left,
 };
-use linear::loss::along::LossAlong;
 use linear::passivity::Ending;
 use linear::waves::{network::TorsionNetwork, torsion};
 use linear::{

@@ -41,11 +41,10 @@ use crate::assembly::torsion::{
     Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
 };
 use crate::channel::Channel;
+use crate::distributed_loss::{Interpolated, LossAlong, LossAt};
 use crate::drillstring::{Drillstring, Section, Tube};
 use crate::error::DrillstringError;
 use crate::estimates::{torsional_impedance, torsional_travel_time};
-use crate::loss::along::{LossAlong, LossAt};
-use crate::loss::interpolated::Interpolated;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::top_drive::TopDrive;

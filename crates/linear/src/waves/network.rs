@@ -29,11 +29,10 @@ use crate::assembly::torsion::{
     Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
 };
 use crate::channel::Channel;
+use crate::distributed_loss::{Interpolated, LossAlong};
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::DrillstringError;
 use crate::estimates::torsional_resistance;
-use crate::loss::along::LossAlong;
-use crate::loss::interpolated::Interpolated;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;

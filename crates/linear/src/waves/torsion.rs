@@ -2,8 +2,8 @@
 
 use crate::assembly::number::Number;
 use crate::assembly::torsion::DynamicStiffness;
+use crate::distributed_loss::LossAt;
 use crate::drillstring::{Drillstring, Tube};
-use crate::loss::along::LossAt;
 
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s):
 /// G J γ coth γL and −G J γ csch γL with γ² = s(c_t + sρJ)/(GJ). In a `hole` (its radius, m) of

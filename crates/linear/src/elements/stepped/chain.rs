@@ -10,18 +10,17 @@
 use std::ops::Range;
 
 use super::super::newmark::{Matrices, Weights};
+use super::blocks::{
+    Block, Blocks, Values, add, difference, inverse, product, subtract, subtract_transposed, times,
+    transposed,
+};
 use super::memory::{Memory, Remembered};
+use super::node::NodeMotion;
 use crate::error::BuildError;
 
 /// What a load accelerates by a smaller part than this of the most is left out: it is below
 /// rounding.
 const NEGLIGIBLE: f64 = 1e-18;
-
-/// Between the degrees of freedom of two nodes, row by row.
-pub(super) type Block<const D: usize> = [[f64; D]; D];
-
-/// Of each degree of freedom of a node, a value in every plane.
-pub(super) type Values<const D: usize, const P: usize> = [[f64; P]; D];
 
 /// The matrices at a node, and between it and the next one.
 #[derive(Debug, Clone)]
@@ -50,15 +49,6 @@ pub(super) struct Chain<const D: usize> {
 pub(super) struct ChainMotion<const D: usize, const P: usize> {
     nodes: Vec<NodeMotion<D, P>>,
     remembered: Option<Remembered<D, P>>,
-}
-
-/// Displacement and velocity as predicted, and acceleration.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct NodeMotion<const D: usize, const P: usize> {
-    displacement: Values<D, P>,
-    velocity: Values<D, P>,
-    /// Before it is found, what is known of the force.
-    pub(super) acceleration: Values<D, P>,
 }
 
 /// Accelerations of the nodes around a unit load.
@@ -137,7 +127,7 @@ impl<const D: usize> Chain<D> {
         })
     }
 
-    /// Bytes of a number of nodes, with at most so many relaxations of drag and of the material.
+    /// Bytes of a number of nodes, with at most this number of relaxations of drag and of the material.
     pub fn bytes(nodes: f64, relaxations: [usize; 2]) -> f64 {
         let memory = match relaxations {
             [0, 0] => 0.0,
@@ -248,7 +238,7 @@ fn felt<const D: usize>(values: &[Values<D, 1>]) -> Range<usize> {
 }
 
 impl<const D: usize, const P: usize> ChainMotion<D, P> {
-    /// Bytes of a number of nodes, with at most so many relaxations of drag and of the material.
+    /// Bytes of a number of nodes, with at most this number of relaxations of drag and of the material.
     pub fn bytes(nodes: f64, relaxations: [usize; 2]) -> f64 {
         let remembered = Remembered::<D, P>::bytes(nodes, relaxations);
         size_of::<NodeMotion<D, P>>() as f64 * nodes + remembered
@@ -281,37 +271,6 @@ impl<const D: usize, const P: usize> ChainMotion<D, P> {
     }
 }
 
-impl<const D: usize, const P: usize> NodeMotion<D, P> {
-    /// Displacement and velocity of the step, all its loads applied.
-    pub(super) fn now(&self, weights: &Weights) -> (Values<D, P>, Values<D, P>) {
-        let [mut displacement, mut velocity] = [self.displacement, self.velocity];
-        for freedom in 0..D {
-            for plane in 0..P {
-                let acceleration = self.acceleration[freedom][plane];
-                displacement[freedom][plane] += weights.displacement_gain() * acceleration;
-                velocity[freedom][plane] += weights.velocity_gain() * acceleration;
-            }
-        }
-        (displacement, velocity)
-    }
-
-    /// Proceeds to the next step, of which no force is known yet.
-    #[inline(always)]
-    pub(super) fn predict(&mut self, weights: &Weights) {
-        let step = weights.step;
-        let gain = (0.5 + weights.gamma) * step * step;
-        for freedom in 0..D {
-            for plane in 0..P {
-                let acceleration = self.acceleration[freedom][plane];
-                let velocity = self.velocity[freedom][plane];
-                self.displacement[freedom][plane] += step * velocity + gain * acceleration;
-                self.velocity[freedom][plane] = velocity + step * acceleration;
-                self.acceleration[freedom][plane] = 0.0;
-            }
-        }
-    }
-}
-
 impl<const D: usize> Column<D> {
     /// The acceleration of the first degree of freedom of a node.
     pub fn at(&self, node: usize) -> f64 {
@@ -319,116 +278,4 @@ impl<const D: usize> Column<D> {
         let found = place.and_then(|place| self.accelerations.get(place));
         found.map_or(0.0, |accelerations| accelerations[0])
     }
-}
-
-/// A symmetric matrix by its nodes.
-pub(super) struct Blocks<const D: usize> {
-    pub(super) own: Vec<Block<D>>,
-    /// Between each node and the next.
-    pub(super) below: Vec<Block<D>>,
-}
-
-impl<const D: usize> Blocks<D> {
-    pub(super) fn new(nodes: usize) -> Self {
-        Self {
-            own: vec![[[0.0; D]; D]; nodes],
-            below: vec![[[0.0; D]; D]; nodes],
-        }
-    }
-
-    /// Adds an entry; those above the diagonal blocks are their mirrors'.
-    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
-        let (node, other) = (row / D, column / D);
-        if node == other {
-            self.own[node][row % D][column % D] += value;
-        } else if node == other + 1 {
-            self.below[other][row % D][column % D] += value;
-        }
-    }
-}
-
-#[inline(always)]
-pub(super) fn add<const D: usize, const P: usize>(sum: &mut Values<D, P>, values: Values<D, P>) {
-    sum.iter_mut()
-        .zip(values)
-        .for_each(|(sum, values)| add_row(sum, values));
-}
-
-#[inline(always)]
-pub(super) fn add_row<const P: usize>(sum: &mut [f64; P], values: [f64; P]) {
-    sum.iter_mut()
-        .zip(values)
-        .for_each(|(sum, value)| *sum += value);
-}
-
-#[inline(always)]
-pub(super) fn times<const D: usize, const P: usize>(
-    block: &Block<D>,
-    values: &Values<D, P>,
-) -> Values<D, P> {
-    std::array::from_fn(|row| {
-        std::array::from_fn(|plane| (0..D).map(|it| block[row][it] * values[it][plane]).sum())
-    })
-}
-
-#[inline(always)]
-fn subtract<const D: usize, const P: usize>(
-    from: &mut Values<D, P>,
-    block: &Block<D>,
-    values: &Values<D, P>,
-) {
-    for (from, row) in from.iter_mut().zip(block) {
-        for (entry, values) in row.iter().zip(values) {
-            for (from, value) in from.iter_mut().zip(values) {
-                *from -= entry * value;
-            }
-        }
-    }
-}
-
-#[inline(always)]
-fn subtract_transposed<const D: usize, const P: usize>(
-    from: &mut Values<D, P>,
-    block: &Block<D>,
-    values: &Values<D, P>,
-) {
-    subtract(from, &transposed(*block), values);
-}
-
-#[inline(always)]
-pub(super) fn transposed<const D: usize>(block: Block<D>) -> Block<D> {
-    std::array::from_fn(|row| std::array::from_fn(|column| block[column][row]))
-}
-
-fn difference<const D: usize>(one: Block<D>, other: Block<D>) -> Block<D> {
-    std::array::from_fn(|row| std::array::from_fn(|column| one[row][column] - other[row][column]))
-}
-
-fn product<const D: usize>(one: Block<D>, other: Block<D>) -> Block<D> {
-    times(&one, &other)
-}
-
-/// The inverse of a positive definite block, by elimination without exchange.
-fn inverse<const D: usize>(mut block: Block<D>) -> Option<Block<D>> {
-    let mut inverse: Block<D> = std::array::from_fn(|row| {
-        std::array::from_fn(|column| if row == column { 1.0 } else { 0.0 })
-    });
-    for pivot in 0..D {
-        let value = block[pivot][pivot];
-        if !(value > 0.0 && value.is_finite()) {
-            return None;
-        }
-        for matrix in [&mut block, &mut inverse] {
-            matrix[pivot] = matrix[pivot].map(|entry| entry / value);
-        }
-        for row in (0..D).filter(|row| *row != pivot) {
-            let factor = block[row][pivot];
-            for matrix in [&mut block, &mut inverse] {
-                for column in 0..D {
-                    matrix[row][column] -= factor * matrix[pivot][column];
-                }
-            }
-        }
-    }
-    Some(inverse)
 }

@@ -1,7 +1,8 @@
 //! Forces of earlier motion on elements in a row: what mud and material that lose energy remember.
 
 use super::super::fading::{Faded, Fading};
-use super::chain::{Block, Blocks, NodeMotion, Values, add, add_row, times, transposed};
+use super::blocks::{Block, Blocks, Values, add, add_row, times, transposed};
+use super::node::NodeMotion;
 use crate::elements::newmark::Weights;
 
 /// What of fading forces acts at once within a step.
@@ -84,7 +85,7 @@ impl<const D: usize> Memory<D> {
         )
     }
 
-    /// Bytes of a number of nodes, with at most so many relaxations of drag.
+    /// Bytes of a number of nodes, with at most this number of relaxations of drag.
     pub fn bytes(nodes: f64, [drag, _]: [usize; 2]) -> f64 {
         nodes * (drag * size_of::<f64>() + size_of::<[Block<D>; 2]>()) as f64
     }
@@ -172,7 +173,7 @@ impl<const D: usize> Memory<D> {
 }
 
 impl<const D: usize, const P: usize> Remembered<D, P> {
-    /// Bytes of a number of nodes, with at most so many relaxations of drag and of the material.
+    /// Bytes of a number of nodes, with at most this number of relaxations of drag and of the material.
     pub fn bytes(nodes: f64, [drag, material]: [usize; 2]) -> f64 {
         nodes * (drag * size_of::<[f64; P]>() + material * size_of::<Values<D, P>>()) as f64
     }

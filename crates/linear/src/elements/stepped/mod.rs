@@ -1,9 +1,11 @@
 //! Newmark's scheme stepped over all elements of a string, for many sites: what a step costs
 //! depends on the length of the string, not on the sites, and loads cost where they act alone.
 
+mod blocks;
 mod chain;
 mod channel;
 mod memory;
+mod node;
 
 use super::beam;
 use super::fading::Faded;

@@ -11,8 +11,8 @@ use std::sync::OnceLock;
 
 use num_complex::Complex64;
 
-use super::along::Drag;
-use super::mud::Annulus;
+use super::drag::Drag;
+use crate::loss::mud::Annulus;
 
 /// Side of a square.
 const SIDE: f64 = 0.25;

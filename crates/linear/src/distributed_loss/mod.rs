@@ -1,41 +1,20 @@
 //! What takes energy from the tubes of a string in one channel, at one frequency or several side by
 //! side.
 
-use num_complex::Complex64;
+mod drag;
+mod interpolated;
 
-use super::fit::Fit;
-use super::interpolated::{Exact, Interpolated};
-use super::mud::Annulus;
-use super::relaxation::{Relaxation, sum};
 use crate::assembly::number::Number;
 use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Tube};
+use crate::loss::mud::Annulus;
+use crate::loss::{Fit, Relaxation, sum};
+use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
-
-/// The drag of mud on a tube over frequency.
-pub(crate) trait Drag {
-    /// Where a frequency is, found once for all tubes.
-    type Place;
-
-    /// The place of the Laplace variable s, rad/s.
-    fn place(s: Complex64) -> Self::Place;
-
-    /// Force per length and speed there.
-    fn at(&self, place: &Self::Place) -> Complex64;
-}
-
-impl Drag for Fit {
-    type Place = Complex64;
-
-    fn place(s: Complex64) -> Complex64 {
-        s
-    }
-
-    fn at(&self, s: &Complex64) -> Complex64 {
-        Fit::at(self, *s)
-    }
-}
+use drag::Drag;
+use interpolated::Exact;
+pub(crate) use interpolated::Interpolated;
 
 /// Internal and external radius of a tube and radius of the hole around it, m.
 type Radii = [f64; 3];
@@ -189,7 +168,7 @@ pub(crate) fn tubes(spans: &[SurroundedSpan]) -> impl Iterator<Item = (&Tube, &S
 /// no mud is viscous.
 pub fn error_of_drag(string: &Drillstring, channel: Channel) -> Option<f64> {
     // The bit is a place of every string.
-    let spans = string.surrounded_spans(channel, &crate::sites::Sites::bit());
+    let spans = string.surrounded_spans(channel, &Sites::bit());
     let spans = spans.unwrap_or_default();
     LossAlong::fitted(string, channel, tubes(&spans)).error()
 }
