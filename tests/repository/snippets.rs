@@ -30,9 +30,14 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 15] = [
+const SNIPPETS: [Snippet; 16] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
+    snippet(
+        "docs/damping.md",
+        "loss_factor",
+        After::Base("well_12in.toml"),
+    ),
     snippet("docs/extending.md", "[dependencies]", After::Other),
     snippet("docs/first-map.md", "repeat = 295", After::New),
     snippet("docs/first-map.md", "[40, 1500]", After::New),

@@ -7,10 +7,12 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use linear::DrillstringError;
 use linear::deviation::exact_undershoot;
-use linear::estimates::{largest_undershoot, torsional_travel_time};
+use linear::estimates::largest_undershoot;
 use linear::falling_torque::steepest_fall;
 use serde::Deserialize;
 
+use crate::axes::{position, range_of_axis};
+use crate::bit_resonances::highest_frequency;
 use crate::many_sites_limit::many_sites_limit;
 use crate::sliding_together::sliding_together;
 use crate::whirl_limit::{WhirlPoint, whirl_limit};
@@ -22,10 +24,6 @@ use campaign::text_file::unreadable;
 
 /// Points of the line between the ends of an axis.
 const POINTS: usize = 200;
-
-/// Modes of a uniform string of the same travel time that smooth rotation is to be free of. What
-/// collars do by themselves, at tens of hertz, mud and steel damp more than `torsional_damping` says.
-const SLOW_MODES: f64 = 24.0;
 
 /// The limit of a map.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,19 +127,6 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
     }
 }
 
-/// The place of an axis among those of the design.
-pub(super) fn position(sweep: &Sweep, is_wanted: impl Fn(Axis) -> bool) -> Option<usize> {
-    sweep.design.axes().iter().position(|&axis| is_wanted(axis))
-}
-
-/// The least and the greatest value of an axis.
-pub(super) fn range_of_axis(sweep: &Sweep, position: usize) -> [f64; 2] {
-    let values = (0..sweep.design.cases()).map(|case| sweep.design.values(case)[position]);
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], value| {
-        [from.min(value), to.max(value)]
-    })
-}
-
 /// Values from the least to the greatest of an axis.
 fn along_axis(sweep: &Sweep, position: usize) -> impl Iterator<Item = f64> + use<> {
     between(range_of_axis(sweep, position))
@@ -195,11 +180,10 @@ fn stick_slip_points(
 
 /// Where smooth rotation is lost along an axis, for a torque that falls with the bit's speed: the
 /// speed at which it falls as steeply as the string bears ([`steepest_fall`]) without swinging in one
-/// of its [`SLOW_MODES`]. Without points where it lasts at every speed.
+/// of the modes up to [`highest_frequency`]. Without points where it lasts at every speed.
 fn smooth_rotation_points(sweep: &Sweep, bit: &Bit, position: usize) -> Vec<StickSlipPoint> {
     let string = &sweep.setting.string;
-    let highest_frequency = 0.5 * SLOW_MODES / torsional_travel_time(string);
-    let steepest = steepest_fall(string, highest_frequency);
+    let steepest = steepest_fall(string, highest_frequency(string));
     let Some(steepest) = steepest.ok().flatten() else {
         return Vec::new();
     };

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use sim::EccentricMass;
 use sim::steady_whirl::EccentricString;
 
-use crate::boundary::{position, range_of_axis};
+use crate::axes::{position, range_of_axis};
 use crate::curves::{Curve, each_once, places};
 use campaign::plan::{LateralSettings, Sweep};
 use campaign::quantities::{Axis, LENGTH, StringAxis, Units, WallQuantity};

@@ -42,6 +42,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod axes;
+mod bit_resonances;
 mod boundary;
 mod curves;
 mod envelope;
@@ -50,6 +52,7 @@ mod many_sites_limit;
 mod sliding_together;
 mod whirl_limit;
 
+pub use bit_resonances::{BitResonance, bit_resonances};
 pub use boundary::{
     Boundary, BoundaryError, StickSlipPoint, TorsionLimit, boundary, boundary_csv,
     exact_stick_slip_limit, read_boundary, whirl_boundary,

@@ -24,6 +24,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use crate::error::DrillstringError;
+use crate::loss::Loss;
 use crate::surroundings::{AxialForce, Hole, HoleSection, Stretch, stretches};
 use crate::top_drive::TopDrive;
 
@@ -94,7 +95,7 @@ impl Section {
 pub struct Drillstring {
     material: Material,
     sections: Vec<Section>,
-    torsional_damping: f64,
+    loss: Loss,
     top_drive: Option<TopDrive>,
     hole: Option<Hole>,
     axial_force: Vec<AxialForce>,
@@ -131,7 +132,7 @@ impl Drillstring {
         Ok(Self {
             material,
             sections,
-            torsional_damping,
+            loss: Loss::constant(torsional_damping),
             top_drive: None,
             hole: None,
             axial_force: Vec::new(),
@@ -150,12 +151,32 @@ impl Drillstring {
         })
     }
 
-    /// The same string in a hole full of mud, which moves with it in bending.
+    /// The same string of a material that loses, joints included, the loss factor η of its energy
+    /// over 2π in each cycle, at any frequency (see [`crate::loss`]); none where that is 0.
+    ///
+    /// # Errors
+    /// Where it is below 0 or as large as 1.
+    pub fn with_loss_factor(self, loss_factor: f64) -> Result<Self, DrillstringError> {
+        if !(0.0..1.0).contains(&loss_factor) {
+            return Err(DrillstringError::LossFactor { value: loss_factor });
+        }
+        Ok(Self {
+            loss: self.loss.with_loss_factor(loss_factor),
+            ..self
+        })
+    }
+
+    /// The same string in a hole full of mud, which moves with it in bending, and holds it back
+    /// where it is viscous.
     ///
     /// # Errors
     /// Where there is no such mud, or a part is not narrower than the hole.
     pub fn in_hole(self, hole: Hole) -> Result<Self, DrillstringError> {
         positive("density of the mud", hole.mud.density)?;
+        let viscosity = hole.mud.viscosity;
+        if !(viscosity.is_finite() && viscosity >= 0.0) {
+            return Err(DrillstringError::Viscosity { value: viscosity });
+        }
         for section in &hole.sections {
             positive("length of a section of hole", section.length)?;
             positive("radius of the hole", section.radius)?;
@@ -169,6 +190,7 @@ impl Drillstring {
         }
         self.check_width(&hole.sections)?;
         Ok(Self {
+            loss: self.loss.with_mud(hole.mud),
             hole: Some(hole),
             ..self
         })
@@ -244,6 +266,40 @@ impl Drillstring {
         own + std::f64::consts::PI * hole.mud.density * displaced
     }
 
+    /// The same of itself and the mud inside alone, which moves along at any viscosity.
+    pub(crate) fn mass_with_bore(&self, tube: &Tube) -> f64 {
+        let mud = self.hole.as_ref().map_or(0.0, |hole| hole.mud.density);
+        let bore = std::f64::consts::PI * tube.inner_radius.powi(2);
+        self.material.density * tube.area() + mud * bore
+    }
+
+    /// The same string, about as long as another, with the loss of that which depends on
+    /// frequency: in its hole of mud, where that is viscous, and of its material.
+    ///
+    /// # Errors
+    /// Where it does not fit into that hole.
+    pub fn with_loss_of(self, other: &Self) -> Result<Self, DrillstringError> {
+        let string = self.with_loss_factor(other.loss.loss_factor())?;
+        let hole = other.hole.as_ref().filter(|hole| hole.mud.viscosity > 0.0);
+        let Some(hole) = hole else {
+            return Ok(string);
+        };
+        // Deep enough however lengths were rounded.
+        let mut deeper = hole.clone();
+        if let Some(last) = deeper.sections.last_mut() {
+            last.length *= 2.0;
+        }
+        string.in_hole(deeper)
+    }
+
+    /// The same string, its surface turning as prescribed.
+    pub fn without_top_drive(self) -> Self {
+        Self {
+            top_drive: None,
+            ..self
+        }
+    }
+
     /// The drive that turns it, if its surface does not turn as prescribed.
     pub fn top_drive(&self) -> Option<TopDrive> {
         self.top_drive
@@ -267,6 +323,15 @@ impl Drillstring {
         stretches(&self.axial_force, hole, length, self.same_place())
     }
 
+    /// The hole of viscous mud that holds it back where it turns, from the surface down; empty
+    /// where none does.
+    pub(crate) fn mud_around(&self) -> Vec<Stretch> {
+        let hole = self.hole.as_ref().filter(|hole| hole.mud.viscosity > 0.0);
+        hole.map_or_else(Vec::new, |hole| {
+            stretches(&[], Some(hole), self.length(), self.same_place())
+        })
+    }
+
     /// The axial force along it, from the surface down; empty where none but that of
     /// [`Bending`] acts.
     pub fn axial_force(&self) -> &[AxialForce] {
@@ -279,7 +344,8 @@ impl Drillstring {
         let mut add = |number: f64| number.to_bits().hash(&mut hasher);
         add(self.material.shear_modulus);
         add(self.material.density);
-        add(self.torsional_damping);
+        add(self.torsional_damping());
+        add(self.loss.loss_factor());
         for section in &self.sections {
             add(section.repeat as f64);
             for part in &section.parts {
@@ -295,6 +361,7 @@ impl Drillstring {
         }
         if let Some(hole) = &self.hole {
             add(hole.mud.density);
+            add(hole.mud.viscosity);
             for section in &hole.sections {
                 add(section.length);
                 add(section.radius);
@@ -329,7 +396,12 @@ impl Drillstring {
 
     /// Distributed torsional damping c_t, N m s/rad per metre.
     pub fn torsional_damping(&self) -> f64 {
-        self.torsional_damping
+        self.loss.torsional_damping()
+    }
+
+    /// All that takes energy from it in torsion, and what mud and material take in bending.
+    pub fn loss(&self) -> &Loss {
+        &self.loss
     }
 
     /// Length from the surface to the bit, m.
@@ -437,6 +509,14 @@ impl Bending {
     pub(crate) fn under(self, tension: f64) -> Self {
         Self {
             compression: self.compression - tension,
+            ..self
+        }
+    }
+
+    /// Without any, of its material alone.
+    pub(crate) fn straight(self) -> Self {
+        Self {
+            compression: 0.0,
             ..self
         }
     }

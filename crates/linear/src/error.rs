@@ -78,6 +78,18 @@ pub enum DrillstringError {
         /// The value found, N m s/rad per metre.
         value: f64,
     },
+    /// Viscosity below zero would feed energy in.
+    #[error("the viscosity {value} Pa s of the mud is not zero or a positive number")]
+    Viscosity {
+        /// The value found, Pa s.
+        value: f64,
+    },
+    /// A loss factor that no material has.
+    #[error("the loss factor {value} is not at least 0 and less than 1")]
+    LossFactor {
+        /// The value found.
+        value: f64,
+    },
     /// Lateral damping below zero would feed energy in.
     #[error("the lateral damping {value} is not zero or a positive number")]
     NegativeLateralDamping {
@@ -256,6 +268,12 @@ pub enum BuildError {
         /// The most that are kept.
         most: usize,
     },
+    /// A loss that depends on frequency is no part of [`crate::elements::reduction`].
+    #[error(
+        "condensed elements take no viscosity of the mud and no loss factor: step them as they \
+         are, or take responses"
+    )]
+    LossNotStepped,
     /// They would need more memory than is left.
     #[error(transparent)]
     OutOfBudget(#[from] OutOfBudget),

@@ -24,7 +24,10 @@
 //! # Ok::<(), linear::DrillstringError>(())
 //! ```
 
+use num_complex::Complex64;
+
 use crate::drillstring::{Bending, Drillstring, Tube};
+use crate::in_mud::{self, Alike};
 
 /// Static torsional stiffness k_eff between surface and bit, N m/rad.
 pub fn torsional_stiffness(string: &Drillstring) -> f64 {
@@ -65,9 +68,44 @@ pub fn sampling_frequency(string: &Drillstring) -> f64 {
 }
 
 /// Rate at which torsional vibration of the whole string decays: the damping
-/// coefficient over twice the moment of inertia, 1/s.
+/// coefficient over twice the moment of inertia, 1/s. Where loss depends on frequency, that of
+/// its first mode, the slowest.
 pub fn torsional_decay_rate(string: &Drillstring) -> f64 {
-    string.torsional_damping() * string.length() / (2.0 * torsional_inertia(string))
+    let inertia = torsional_inertia(string);
+    if !string.loss().has_memory() {
+        return string.torsional_damping() * string.length() / (2.0 * inertia);
+    }
+    // Mud that moves along makes it slower.
+    let rate = first_mode(string).frequency;
+    let bare = Complex64::new(0.0, rate);
+    let moved = torsional_drag(string, bare).im / rate;
+    let s = bare * (inertia / (inertia + moved)).sqrt();
+    let drag = torsional_drag(string, s);
+    let of_material = 0.5 * s.im * string.loss().stiffening(s).arg();
+    0.5 * drag.re / (inertia + drag.im / s.im) + of_material
+}
+
+/// Torque per speed of the whole string where it turns alike everywhere, at the Laplace variable s
+/// (rad/s, off the negative real axis), without that of the inertia of its tubes, N m s/rad.
+pub(crate) fn torsional_drag(string: &Drillstring, s: Complex64) -> Complex64 {
+    let mut drag = Complex64::from(string.torsional_damping() * string.length());
+    for Alike { length, mud, .. } in in_mud::tubes(string) {
+        if let Some(mud) = mud {
+            drag += mud.against_turning(s) * length;
+        }
+    }
+    drag
+}
+
+/// The same of a steady rotation.
+pub fn torsional_resistance(string: &Drillstring) -> f64 {
+    let mut drag = string.torsional_damping() * string.length();
+    if string.loss().viscous_mud().is_some() {
+        for Alike { length, mud, .. } in in_mud::tubes(string) {
+            drag += mud.map_or(0.0, |mud| mud.against_steady_turning() * length);
+        }
+    }
+    drag
 }
 
 /// No period of torsional vibration with the bit free is longer than this, s: that of all
@@ -204,7 +242,7 @@ pub fn bending_decay_rate(string: &Drillstring, bending: &Bending) -> f64 {
 /// ([`drive_settling_time`]) is added.
 pub fn torsional_settling_time(string: &Drillstring) -> f64 {
     let squared = std::f64::consts::PI.powi(2);
-    let resistance = string.torsional_damping() * string.length();
+    let resistance = torsional_resistance(string);
     let seeps = 4.0 * resistance / (squared * torsional_stiffness(string));
     seeps + drive_settling_time(string)
 }
@@ -215,7 +253,7 @@ pub fn drive_settling_time(string: &Drillstring) -> f64 {
     let Some(drive) = string.top_drive() else {
         return 0.0;
     };
-    let held_back = drive.proportional_gain + string.torsional_damping() * string.length();
+    let held_back = drive.proportional_gain + torsional_resistance(string);
     let spins_down = 2.0 * (drive.inertia + torsional_inertia(string)) / held_back;
     match drive.integral_gain {
         0.0 => spins_down,
@@ -224,8 +262,13 @@ pub fn drive_settling_time(string: &Drillstring) -> f64 {
 }
 
 /// What damping leaves of the amplitude of a torsional wave on its way from the
-/// surface to the bit: exp(−Σ c_t L / 2Z) over all tubes, reflections apart.
+/// surface to the bit: exp(−Σ c_t L / 2Z) over all tubes, reflections apart. Where loss depends on
+/// frequency, of one that is as slow as the first mode ([`torsional_wave_left_at`]).
 pub fn torsional_wave_left(string: &Drillstring) -> f64 {
+    if string.loss().has_memory() {
+        let hertz = first_mode(string).frequency / std::f64::consts::TAU;
+        return torsional_wave_left_at(string, hertz);
+    }
     let loss: f64 = string
         .tubes()
         .map(|(count, tube)| count * tube.length / torsional_impedance(string, tube))
@@ -233,6 +276,46 @@ pub fn torsional_wave_left(string: &Drillstring) -> f64 {
         * string.torsional_damping();
     (-0.5 * loss).exp()
 }
+
+/// What all loss leaves of the amplitude of a torsional wave of a frequency (Hz, positive) on its
+/// way from the surface to the bit: exp(−Σ L Re γ) over all tubes, reflections apart.
+pub fn torsional_wave_left_at(string: &Drillstring, frequency: f64) -> f64 {
+    let s = Complex64::new(0.0, std::f64::consts::TAU * frequency);
+    let material = string.material();
+    let modulus = string.loss().stiffening(s) * material.shear_modulus;
+    let wave = |Alike { length, tube, mud }: Alike| {
+        let moment = tube.polar_moment();
+        let mud = mud.map_or(Complex64::ZERO, |mud| mud.against_turning(s));
+        let drag = mud + string.torsional_damping();
+        let squared = s * (s * material.density * moment + drag) / (modulus * moment);
+        squared.sqrt().re * length
+    };
+    (-in_mud::tubes(string).into_iter().map(wave).sum::<f64>()).exp()
+}
+
+/// The highest frequency (Hz) at which all loss leaves a part of the amplitude of a torsional wave
+/// on its way from the surface to the bit, between 0.01 Hz and 1 MHz: where loss grows with
+/// frequency, what is faster does not come back.
+pub fn torsional_wave_survives_to(string: &Drillstring, part: f64) -> f64 {
+    let is_left = |hertz: f64| torsional_wave_left_at(string, hertz) > part;
+    // By halving the interval of its logarithm.
+    let [mut low, mut high] = [0.01_f64, 1e6].map(f64::ln);
+    if is_left(high.exp()) {
+        return high.exp();
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if is_left(middle.exp()) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high.exp()
+}
+
+/// To a ten-thousandth of the frequency.
+const HALVINGS: usize = 18;
 
 /// Δ of Eq. 75: the largest undershoot of the step response whose taps are
 /// given, in the units of the response (rad/s per N m at the bit). Where nothing comes back

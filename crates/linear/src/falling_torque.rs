@@ -40,6 +40,24 @@ const PER_MODE: f64 = 12.0;
 /// Halvings of the bracket of a frequency.
 const HALVINGS: usize = 60;
 
+/// A vibration that a torque which falls with the bit's speed can feed: at its frequency the bit's
+/// speed is in phase with a torque on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Resonance {
+    /// Hz.
+    pub frequency: f64,
+    /// Speed of the bit per torque on it there, rad/s per N m.
+    pub mobility: f64,
+}
+
+impl Resonance {
+    /// The steepest fall κ of the torque with speed under which it dies away, N m s/rad.
+    pub fn steepest_fall(&self) -> f64 {
+        self.mobility.recip()
+    }
+}
+
 /// The steepest fall κ of the torque on the bit with its speed, N m s/rad, under which steady
 /// rotation of a string still lasts: below it every small vibration up to a frequency, Hz, dies
 /// away. `None` where nothing swings.
@@ -50,28 +68,39 @@ pub fn steepest_fall(
     string: &Drillstring,
     highest_frequency: f64,
 ) -> Result<Option<f64>, DrillstringError> {
+    let resonances = resonances(string, highest_frequency)?.into_iter();
+    Ok(resonances.map(|it| it.steepest_fall()).reduce(f64::min))
+}
+
+/// All resonances of a string at its bit up to a frequency, Hz, from the slowest on.
+///
+/// # Errors
+/// Where the string cannot be cut up.
+pub fn resonances(
+    string: &Drillstring,
+    highest_frequency: f64,
+) -> Result<Vec<Resonance>, DrillstringError> {
     let network = TorsionNetwork::new(string, &Sites::bit())?;
     let response = |frequency: f64| network.at_frequency(frequency).from_torque[(0, 0)];
     // Modes of a uniform string are half a reciprocal of the travel time apart.
     let apart = 0.5 / torsional_travel_time(string) / PER_MODE;
     let count = (highest_frequency / apart).ceil() as usize;
-    let mut largest: Option<f64> = None;
+    let mut found = Vec::new();
     let mut before = (apart, response(apart));
     for place in 2..=count {
         let frequency = apart * place as f64;
         let here = (frequency, response(frequency));
         // A resonance passes from ahead to behind; elsewhere the response is small where real.
         if before.1.im > 0.0 && here.1.im <= 0.0 {
-            let real = real_between(&response, before.0, here.0);
-            largest = Some(largest.map_or(real, |it| it.max(real)));
+            found.push(real_between(&response, before.0, here.0));
         }
         before = here;
     }
-    Ok(largest.map(f64::recip))
+    Ok(found)
 }
 
 /// The response where its imaginary part passes from above to below zero.
-fn real_between(response: &impl Fn(f64) -> Complex64, mut from: f64, mut to: f64) -> f64 {
+fn real_between(response: &impl Fn(f64) -> Complex64, mut from: f64, mut to: f64) -> Resonance {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (from + to);
         if response(middle).im > 0.0 {
@@ -80,7 +109,11 @@ fn real_between(response: &impl Fn(f64) -> Complex64, mut from: f64, mut to: f64
             to = middle;
         }
     }
-    response(0.5 * (from + to)).re
+    let frequency = 0.5 * (from + to);
+    Resonance {
+        frequency,
+        mobility: response(frequency).re,
+    }
 }
 
 #[cfg(test)]

@@ -42,6 +42,7 @@
 //! | Section 2.4, Fig. 3: stability in sticking | [`passivity`] |
 //! | Section 3: finite elements, Newmark | [`elements`] |
 //! | the same stepped, for many sites | [`stepped`] |
+//! | what takes energy, at any complex frequency: damping, viscous mud, material | [`loss`] |
 //! | Section 5.2.2: the band-limited impulse | [`pulse`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |
 //! | steady rotation, and steady winding of a held bit | [`steady`] |
@@ -90,13 +91,16 @@ mod checks;
 pub mod controllers;
 mod derivative;
 pub mod deviation;
-pub mod drillstring;
+pub mod distributed_loss;
+mod drillstring;
 pub mod elements;
 mod error;
 pub mod estimates;
 pub mod falling_torque;
 pub mod fft;
 pub mod filters;
+mod in_mud;
+pub mod loss;
 pub mod method;
 pub mod modes;
 pub mod natural_frequencies;

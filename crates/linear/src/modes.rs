@@ -25,7 +25,7 @@ use num_complex::Complex64;
 
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
-use crate::estimates::torsional_decay_rate;
+use crate::estimates::{torsional_decay_rate, torsional_drag, torsional_inertia};
 use crate::sites::Sites;
 use crate::waves::network::TorsionNetwork;
 
@@ -98,28 +98,55 @@ pub fn damped_modes(
     string: &Drillstring,
     frequencies: &[f64],
 ) -> Result<Vec<Option<TorsionalMode>>, BuildError> {
-    let (sections, damping) = (string.sections().to_vec(), string.torsional_damping());
-    let held = Drillstring::new(string.material(), sections, damping)?;
+    let held = string.clone().without_top_drive();
     let network = TorsionNetwork::new(&held, &Sites::bit())?;
-    let decay = torsional_decay_rate(&held);
-    // That of a uniform string: |s| is the frequency without damping.
-    let guesses = frequencies.iter().map(|&frequency| {
-        let swings = (frequency * frequency - decay * decay).max(0.0).sqrt();
-        Complex64::new(-decay, swings)
-    });
-    let found = poles_near(&network, guesses);
+    let guesses: Vec<Complex64> = if held.loss().has_memory() {
+        let inertia = torsional_inertia(&held);
+        let guess = |&frequency: &f64| slowed(&held, inertia, frequency);
+        frequencies.iter().map(guess).collect()
+    } else {
+        let decay = torsional_decay_rate(&held);
+        // That of a uniform string: |s| is the frequency without damping.
+        let guess = |&frequency: &f64| {
+            let swings = (frequency * frequency - decay * decay).max(0.0).sqrt();
+            Complex64::new(-decay, swings)
+        };
+        frequencies.iter().map(guess).collect()
+    };
+    let found = poles_near(&network, guesses.iter().copied());
+    // Of constant damping the size is that of the frequency without it.
+    let expected: Vec<f64> = if held.loss().has_memory() {
+        guesses.iter().map(|it| it.norm()).collect()
+    } else {
+        frequencies.to_vec()
+    };
     let is_its_own = |pole: &Complex64, own: f64| {
         let far = (pole.norm() - own).abs();
-        let mut others = frequencies.iter().filter(|other| **other != own);
+        let mut others = expected.iter().filter(|other| **other != own);
         pole.im > SWINGS * pole.norm() && others.all(|other| far < (pole.norm() - other).abs())
     };
-    let own = frequencies.iter().zip(found);
+    let own = expected.iter().zip(found);
     let modes = own.map(|(&own, pole)| {
         let pole = pole.filter(|pole| is_its_own(pole, own))?;
         Some(TorsionalMode { pole })
     });
     Ok(modes.collect())
 }
+
+/// About where the pole is of a natural frequency without loss (rad/s): as of a uniform string,
+/// s²(1 + C/(sJ)) = −m ω², C and J those of the whole string.
+fn slowed(string: &Drillstring, inertia: f64, frequency: f64) -> Complex64 {
+    let mut s = Complex64::new(0.0, frequency);
+    for _ in 0..GUESSED {
+        let heavier = torsional_drag(string, s) / (s * inertia) + 1.0;
+        let squared = string.loss().stiffening(s) / heavier;
+        s = squared.sqrt() * Complex64::new(0.0, frequency);
+    }
+    s
+}
+
+/// Each step comes several times as close, of loss that is small.
+const GUESSED: usize = 4;
 
 /// The pole that each guess leads to.
 fn poles_near(
@@ -130,8 +157,14 @@ fn poles_near(
     let find = |guess: Complex64| {
         // Of two poles close to one another, both guesses would find the same one: those that
         // are known, and their mirror images, are divided out.
+        // Hundreds of factors overflow: each is taken in parts of about their mean, a power of two,
+        // which rounds nothing.
+        let factor = |s: Complex64, pole: &Complex64| (s - pole) * (s - pole.conj());
+        let sizes = poles.iter().map(|pole| factor(guess, pole).norm().log2());
+        let mean = sizes.sum::<f64>() / poles.len().max(1) as f64;
+        let part = (-mean.round()).exp2();
         let others = |s: Complex64| {
-            let known = poles.iter().map(|pole| (s - pole) * (s - pole.conj()));
+            let known = poles.iter().map(|pole| factor(s, pole) * part);
             network.characteristic(s) / known.product::<Complex64>()
         };
         let pole = zero_near(&others, guess);

@@ -6,7 +6,8 @@
 //! them the undershoot Δ of Eq. 75 and every echo after it: tool joints and collars scatter a
 //! front in fractions of the time of one pipe, and their echoes add up. So a step is one piece
 //! of the [lattice](crate::waves::lattice), in which nothing is rounded off. Only where these are
-//! too many the number of steps is doubled until Δ by [`crate::Method::Held`] is the exact one.
+//! too many the number of steps is doubled until Δ by [`crate::Method::Held`] is the exact one; and
+//! where loss grows with frequency, which takes the echoes that need more.
 //!
 //! Neither depends on how the lengths of a string are divided between its parts: see
 //! [`merged`].
@@ -29,7 +30,10 @@ mod merged;
 use crate::deviation::train_at_bit;
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
-use crate::estimates::{largest_response, largest_undershoot, torsional_travel_time};
+use crate::estimates::{
+    largest_response, largest_undershoot, torsional_travel_time, torsional_wave_left,
+    torsional_wave_survives_to,
+};
 use crate::filters::held;
 
 pub use merged::merged;
@@ -44,7 +48,15 @@ const FEW_PIECES: f64 = 8000.0;
 pub const FEWEST_STEPS: f64 = 512.0;
 
 /// Largest error of Δ on a string of more pieces, a part of one: limits change by more than Δ does.
+/// Where loss depends on frequency, times what a wave loses in a round trip.
 pub const TOLERANCE: f64 = 0.005;
+
+/// What of a wave still reaches the bit at the highest frequency that needs to be followed: an echo
+/// of it is a thousandth of what it was.
+const LEAST_LEFT: f64 = 0.03;
+
+/// Steps in a period of that.
+const STEPS_PER_PERIOD: f64 = 8.0;
 
 /// An undershoot that is less than this part of the largest speed after the same step of torque is
 /// small, as below a drive that lets waves out: it need not be known better than as a part of that.
@@ -64,8 +76,9 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// One step a piece where these are few; else the first number, doubled from
-    /// [`FEWEST_STEPS`], for which Δ is within [`TOLERANCE`], at most one a piece.
+    /// One step a piece where these are few and no loss depends on frequency; else the first
+    /// number, doubled from [`FEWEST_STEPS`], for which Δ is within [`TOLERANCE`], at most one a
+    /// piece, and no more than waves need of which loss leaves something.
     ///
     /// # Errors
     /// Where the lattice of so strongly damped a string would not fit in memory.
@@ -85,12 +98,20 @@ impl Steps {
                 exact,
             }
         };
-        if pieces <= FEW_PIECES {
+        let has_memory = string.loss().has_memory();
+        if pieces <= FEW_PIECES && !has_memory {
             return Ok(by_held(pieces));
         }
-        let most = pieces.floor();
+        let (mut most, mut tolerance) = (pieces.floor(), TOLERANCE * scale);
+        if has_memory {
+            // What a round trip leaves adds its error to the next one's.
+            tolerance *= 1.0 - torsional_wave_left(&string).powi(2);
+            let fastest = torsional_wave_survives_to(&string, LEAST_LEFT);
+            let needed = steps_at(&string, STEPS_PER_PERIOD * fastest);
+            most = most.min(needed.max(FEWEST_STEPS));
+        }
         let mut steps = by_held(FEWEST_STEPS);
-        while (steps.undershoot - exact).abs() > TOLERANCE * scale && steps.per_travel < most {
+        while (steps.undershoot - exact).abs() > tolerance && steps.per_travel < most {
             steps = by_held((2.0 * steps.per_travel).min(most));
         }
         Ok(steps)

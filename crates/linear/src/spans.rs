@@ -24,8 +24,8 @@ pub(crate) struct Surrounded {
 pub(crate) type SurroundedSpan = Vec<Surrounded>;
 
 impl Drillstring {
-    /// The spans, in bending cut where what is around the string changes; in torsion that does
-    /// not matter.
+    /// The spans, in bending cut where what is around the string changes; in torsion that matters
+    /// only where mud is viscous, and then the hole alone.
     pub(crate) fn surrounded_spans(
         &self,
         channel: Channel,
@@ -33,7 +33,7 @@ impl Drillstring {
     ) -> Result<Vec<SurroundedSpan>, DrillstringError> {
         let spans = self.spans(sites)?.into_iter();
         let mut stretches = match channel {
-            Channel::Torsion => Vec::new(),
+            Channel::Torsion => self.mud_around(),
             Channel::Bending => self.surroundings(),
         };
         let last = stretches.pop().map(|last| last.around).unwrap_or_default();

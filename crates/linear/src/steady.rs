@@ -25,7 +25,8 @@
 //! ```
 
 use crate::drillstring::Drillstring;
-use crate::estimates::{torsional_stiffness, winding_stiffness};
+use crate::estimates::{torsional_resistance, torsional_stiffness, winding_stiffness};
+use crate::in_mud::{self, Alike};
 use crate::sites::Sites;
 
 /// A motion in which no speed changes and torques grow evenly.
@@ -65,7 +66,7 @@ pub fn rotation_speed(string: &Drillstring, surface_speed: f64, torque: f64) -> 
     else {
         return surface_speed;
     };
-    let damping = string.torsional_damping() * string.length();
+    let damping = torsional_resistance(string);
     let speed = (drive.proportional_gain * surface_speed.abs() - torque)
         / (drive.proportional_gain + damping);
     speed.max(0.0).copysign(surface_speed)
@@ -79,7 +80,7 @@ pub fn rotation(
     torque: f64,
 ) -> SteadyMotion {
     let speed = rotation_speed(string, surface_speed, torque);
-    let damping = string.torsional_damping() * string.length();
+    let damping = torsional_resistance(string);
     let against = -torque.copysign(surface_speed);
     SteadyMotion {
         speeds: vec![speed; sites.len()],
@@ -111,7 +112,10 @@ pub fn winding(
         .map(|&distance| speed_of_surface * stiffness * below(distance).flexibility)
         .collect();
     // c_t ∫ω dx, the speed growing with the flexibility below.
-    let dragged = string.torsional_damping() * rate * below(string.length()).moment;
+    let mut dragged = string.torsional_damping() * rate * below(string.length()).moment;
+    if string.loss().viscous_mud().is_some() {
+        dragged += rate * held_back_by_mud(string);
+    }
     let held = torque.copysign(surface_speed);
     SteadyMotion {
         speeds,
@@ -158,10 +162,23 @@ fn flexibility_below(string: &Drillstring, distance: f64) -> Below {
     }
 }
 
+/// What viscous mud takes of the torque per rate at which it grows, s: ∫ c(0) ∫ dx dx/(GJ).
+fn held_back_by_mud(string: &Drillstring) -> f64 {
+    let shear_modulus = string.material().shear_modulus;
+    let (mut held_back, mut flexibility) = (0.0, 0.0);
+    for Alike { length, tube, mud } in in_mud::one_by_one(string).into_iter().rev() {
+        let per_length = 1.0 / (shear_modulus * tube.polar_moment());
+        let drag = mud.map_or(0.0, |mud| mud.against_steady_turning());
+        held_back += drag * length * (flexibility + 0.5 * length * per_length);
+        flexibility += length * per_length;
+    }
+    held_back
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Material, Section, TopDrive, Tube};
+    use crate::{Hole, HoleSection, Material, Mud, Section, TopDrive, Tube};
 
     const STEEL: Material = Material {
         shear_modulus: 80e9,
@@ -268,5 +285,36 @@ mod tests {
             winding(&string, &Sites::bit(), 6.0, 5000.0).at_bit.rate,
             0.0
         );
+    }
+
+    /// As much constant damping, where mud is alike everywhere.
+    #[test]
+    fn mud_holds_steady_motions_back_as_its_couette_flow_does() {
+        let uniform = Section {
+            repeat: 3,
+            parts: vec![tube(300.0, 0.08)],
+        };
+        let plain = |damping| Drillstring::new(STEEL, vec![uniform.clone()], damping).unwrap();
+        let sections = [500.0, 500.0].map(|length| HoleSection {
+            length,
+            radius: 0.11,
+        });
+        let hole = Hole {
+            sections: sections.to_vec(),
+            mud: Mud {
+                density: 1200.0,
+                viscosity: 40.0,
+            },
+        };
+        let in_mud = plain(1.0).in_hole(hole).unwrap();
+        let [own, wall] = [0.08_f64, 0.11].map(|radius| radius * radius);
+        let couette = 4.0 * std::f64::consts::PI * 40.0 * own * wall / (wall - own);
+        let damped = plain(1.0 + couette);
+        let sites = Sites::bit();
+        for motion in [rotation, winding] {
+            let [one, other] =
+                [&in_mud, &damped].map(|it| motion(it, &sites, 2.0, 5000.0).at_surface.torque);
+            assert!((one / other - 1.0).abs() < 1e-12, "{one} {other}");
+        }
     }
 }

@@ -38,7 +38,7 @@ use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, StringId, SurfaceSupport};
 use crate::elements::mesh::most_elements;
 use crate::elements::newmark::Weights;
-use crate::elements::stepped::{ASSEMBLED, SteppedChannel, SurfaceElement, bent, turned};
+use crate::elements::stepped::{SteppedChannel, SurfaceElement, assembled_bytes, bent, turned};
 use crate::error::BuildError;
 use crate::method::{FiniteElement, Method};
 use crate::passivity::Ending;
@@ -96,10 +96,10 @@ impl<'a> SteppedPlan<'a> {
     /// Memory that building takes, and what it keeps.
     fn need(&self) -> Need {
         let (nodes, sites) = (self.nodes, self.sites.len());
-        let kept = SteppedChannel::<1, 1>::bytes(nodes, sites)
-            + SteppedChannel::<2, 2>::bytes(nodes, sites);
+        let kept = SteppedChannel::<1, 1>::bytes(self.string, nodes, sites)
+            + SteppedChannel::<2, 2>::bytes(self.string, nodes, sites);
         Need {
-            peak: kept + ASSEMBLED * nodes,
+            peak: kept + assembled_bytes(self.string, nodes),
             kept,
         }
     }
@@ -111,8 +111,8 @@ impl<'a> SteppedPlan<'a> {
 
     /// Bytes of a case that is stepped.
     pub fn motion_bytes(&self) -> f64 {
-        SteppedChannel::<1, 1>::motion_bytes(self.nodes)
-            + SteppedChannel::<2, 2>::motion_bytes(self.nodes)
+        SteppedChannel::<1, 1>::motion_bytes(self.string, self.nodes)
+            + SteppedChannel::<2, 2>::motion_bytes(self.string, self.nodes)
     }
 
     /// What the elements take of one budget, and the responses to loads at a number of sites,

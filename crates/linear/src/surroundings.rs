@@ -5,6 +5,8 @@
 pub struct Mud {
     /// Density, kg/m³.
     pub density: f64,
+    /// Viscosity, Pa s; 0 where only its mass and its buoyancy matter.
+    pub viscosity: f64,
 }
 
 /// A hole full of mud, in which the string moves sideways.
@@ -22,7 +24,7 @@ pub struct Mud {
 /// let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.0)?;
 /// let hole = Hole {
 ///     sections: vec![HoleSection { length: 30.0, radius: 10.0 }],
-///     mud: Mud { density: 1200.0 },
+///     mud: Mud { density: 1200.0, viscosity: 0.0 },
 /// };
 /// let lowest = |string: &Drillstring| {
 ///     let bending = Bending { youngs_modulus: 210e9, damping: 0.0, compression: 0.0 };

@@ -20,7 +20,7 @@
 use linear::Drillstring;
 use linear::estimates::{
     drive_settling_time, stick_slip_times, torsional_decay_rate, torsional_period,
-    torsional_stiffness, torsional_travel_time,
+    torsional_resistance, torsional_stiffness, torsional_travel_time,
 };
 
 use crate::laws::bit::BitTorque;
@@ -50,7 +50,7 @@ const MOST_ROUND_TRIPS: f64 = 40.0;
 ///
 /// The string winds up for τ₁, behind the surface by the travel time of a wave
 /// and by what distributed damping takes of the torque on the way, which is
-/// below c_t L / 4 per unit of surface speed. A top drive has to reach its speed first, and
+/// below a quarter of the torque that turns the whole string, c_t L / 4 per unit of surface speed. A top drive has to reach its speed first, and
 /// a slip below one lasts up to half a period of string and drive together. A surface at rest winds up nothing: the
 /// time is infinite, and no scene that lasts so long is simulated. A case that begins with a
 /// steady motion does not wait for its first slip.
@@ -61,8 +61,7 @@ pub fn torsion_timing(
     start: &Start,
 ) -> Timing {
     let times = stick_slip_times(string, surface_speed, bit.torque_static, bit.torque_dynamic);
-    let damping_lag =
-        string.torsional_damping() * string.length() / (4.0 * torsional_stiffness(string));
+    let damping_lag = torsional_resistance(string) / (4.0 * torsional_stiffness(string));
     let lag = damping_lag + drive_settling_time(string);
     let first_slip = match start {
         Start::Rest => torsional_travel_time(string) + lag + times.first_slip,

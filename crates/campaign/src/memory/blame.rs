@@ -143,7 +143,10 @@ fn usual_sections(demand: &mut Demand) {
 fn change_strings(demand: &mut Demand, change: fn(&Drillstring) -> (Vec<Section>, f64)) {
     for (setting, _) in &mut demand.strings {
         let (sections, damping) = change(&setting.string);
-        let Ok(changed) = Drillstring::new(setting.string.material(), sections, damping) else {
+        let before = &setting.string;
+        let changed = Drillstring::new(before.material(), sections, damping)
+            .and_then(|string| string.with_loss_of(before));
+        let Ok(changed) = changed else {
             continue;
         };
         let part = changed.length() / setting.string.length();

@@ -3,6 +3,7 @@
 use linear::Mud;
 use linear::well::HangingString;
 
+use super::hole::PA_S_PER_CP;
 use super::sweep::Sweep;
 use crate::quantities::{Axis, FORCE, INCH};
 use crate::sweep_file::{RockName, ToolKind};
@@ -29,6 +30,7 @@ impl Sweep {
         let most = 1e3 * most.or(self.conditions.weight_on_bit_kn)?;
         let mud = (self.content.mud).map(|mud| Mud {
             density: mud.density_kg_m3,
+            viscosity: PA_S_PER_CP * mud.viscosity_cp,
         });
         let survey = self.data.survey.as_deref();
         let along = HangingString::new(&self.setting.string, survey, mud).weight();

@@ -26,7 +26,7 @@ impl Sweep {
     pub fn notes(&self) -> Vec<String> {
         let of_sheet = self.sheet.iter().flat_map(|sheet| sheet.notes());
         of_sheet
-            .chain(idle_tables(&self.content))
+            .chain(idle_tables(&self.content, &self.design))
             .chain(self.data.notes.iter().cloned())
             .collect()
     }

@@ -1,7 +1,7 @@
 //! The torque that a top drive has to give, held against what it can: the model's drive gives any
 //! torque that its controller asks for.
 
-use linear::estimates::torsional_inertia;
+use linear::estimates::{torsional_inertia, torsional_resistance};
 use sim::SurfaceProfile;
 
 use super::conditions::Conditions;
@@ -80,7 +80,7 @@ impl Sweep {
                 Some(bit) => bit.torque_dynamic(conditions).ok()??,
                 None => 0.0,
             };
-            Some(on_bit + string.torsional_damping() * string.length() * speed)
+            Some(on_bit + torsional_resistance(string) * speed)
         };
         let torque = ends.iter().filter_map(torque).fold(0.0, f64::max);
         let text = format!(

@@ -5,8 +5,12 @@ use linear::{Drillstring, Hole, HoleSection, Mud};
 
 use super::contacts::StringInHole;
 use super::data::Data;
-use crate::quantities::LONGEST_STRING;
+use crate::design::Design;
+use crate::quantities::{Axis, LONGEST_STRING, StringAxis};
 use crate::sweep_file::{FileContent, HoleTable, Source, SweepFileError};
+
+/// A centipoise, Pa s.
+pub const PA_S_PER_CP: f64 = 1e-3;
 
 /// No mud is heavier, kg/m³.
 const HEAVIEST_MUD: f64 = 3000.0;
@@ -26,7 +30,12 @@ pub fn resolve(
         let density = source.within(key, mud.density_kg_m3, 1.0, HEAVIEST_MUD, "kg/m³")?;
         let message = "the string would float";
         source.refuse_if(density >= string.material().density, key, message)?;
-        Ok::<_, SweepFileError>(Mud { density })
+        let axis = Axis::String(StringAxis::MudViscosity);
+        source.check_axis("mud.viscosity_cp", axis, mud.viscosity_cp)?;
+        Ok::<_, SweepFileError>(Mud {
+            density,
+            viscosity: PA_S_PER_CP * mud.viscosity_cp,
+        })
     });
     let mud = mud.transpose()?;
     let bends = content.wall.is_some();
@@ -36,6 +45,10 @@ pub fn resolve(
         let message = "what moves with a string that bends depends on the hole: \
                        needs `well.hole_radius_m` or [[well.holes]]";
         source.refuse_if(mud.is_some() && bends, "mud", message)?;
+        let message = "how much mud holds the string back depends on the hole: \
+                       needs `well.hole_radius_m` or [[well.holes]]";
+        let is_viscous = mud.is_some_and(|mud| mud.viscosity > 0.0);
+        source.refuse_if(is_viscous, "mud.viscosity_cp", message)?;
         let message = "the clearance is that in a hole: needs `well.hole_radius_m` or \
                        [[well.holes]]";
         source.refuse_if(decides_clearance, "wall.clearance", message)?;
@@ -85,19 +98,26 @@ fn fits(
     Err(source.error(&key, message))
 }
 
+/// Whether mud holds the string back, in some case.
+pub fn mud_is_viscous(content: &FileContent, design: &Design) -> bool {
+    let axis = Axis::String(StringAxis::MudViscosity);
+    design.axes().contains(&axis) || content.mud.is_some_and(|mud| mud.viscosity_cp > 0.0)
+}
+
 /// Tables of the file that nothing depends on, each with what it would matter to: a file is often the
 /// base of others, whose scenes have more.
-pub fn idle_tables(content: &FileContent) -> Vec<String> {
+pub fn idle_tables(content: &FileContent, design: &Design) -> Vec<String> {
     let (bends, rubs) = (content.wall.is_some(), content.string_friction.is_some());
     let hangs = content.axial_force.is_some();
     let well = content.well.as_ref();
     let has_survey = well.is_some_and(|well| well.survey.is_some());
     let has_hole = well.is_some_and(|well| well.hole_radius_m.is_some() || !well.holes.is_empty());
-    let moves_mud = content.mud.is_some() && bends;
+    let is_viscous = mud_is_viscous(content, design);
+    let moves_mud = content.mud.is_some() && bends || is_viscous;
     [
         (
-            content.mud.is_some() && !bends && !rubs,
-            "[mud] has no effect without [wall] or [string_friction]",
+            content.mud.is_some() && !bends && !rubs && !is_viscous,
+            "[mud] has no effect without a viscosity, [wall] or [string_friction]",
         ),
         (
             has_survey && !rubs && !hangs,
@@ -105,7 +125,8 @@ pub fn idle_tables(content: &FileContent) -> Vec<String> {
         ),
         (
             has_hole && !moves_mud && !content.clearance_is_of_hole(),
-            "the hole of [well] has no effect without [mud] and [wall], or `clearance = \"hole\"`",
+            "the hole of [well] has no effect without [mud] that is viscous or around a [wall], or \
+             `clearance = \"hole\"`",
         ),
     ]
     .into_iter()

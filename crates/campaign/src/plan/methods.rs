@@ -4,6 +4,8 @@ use linear::method::{FiniteElement, Method};
 use linear::sampling::merged;
 use linear::{BuildError, Drillstring};
 
+use super::hole::mud_is_viscous;
+use crate::design::Design;
 use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
 
 /// More elements in a cell resolve no more than rounding leaves.
@@ -30,7 +32,11 @@ pub fn usual_elements(string: &Drillstring) -> usize {
 ///
 /// # Errors
 /// Where one is refused.
-pub fn resolve(source: &Source, content: &FileContent) -> Result<Vec<Method>, SweepFileError> {
+pub fn resolve(
+    source: &Source,
+    content: &FileContent,
+    design: &Design,
+) -> Result<Vec<Method>, SweepFileError> {
     source.refuse_if(content.methods.is_empty(), "methods", "names no method")?;
     finite_element(source, &content.method.finite_element)?;
     for (name, transform) in [
@@ -46,7 +52,7 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Vec<Method>, Sw
         let is_double = content.methods[..index].contains(name);
         source.refuse_if(is_double, &format!("methods[{index}]"), "is named twice")?;
         let needs_damping = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);
-        let has_none = content.string.torsional_damping_nms_rad_m == 0.0;
+        let has_none = has_no_damping(content, design);
         let method = name.name();
         let message = BuildError::NeedsDamping { method }.to_string();
         let key = "string.torsional_damping_nms_rad_m";
@@ -54,6 +60,14 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Vec<Method>, Sw
     }
     let names = content.methods.iter();
     Ok(names.map(|&name| method(content, name)).collect())
+}
+
+/// Whether nothing takes energy from a string that turns.
+fn has_no_damping(content: &FileContent, design: &Design) -> bool {
+    let string = &content.string;
+    string.torsional_damping_nms_rad_m == 0.0
+        && string.loss_factor == 0.0
+        && !mud_is_viscous(content, design)
 }
 
 fn finite_element(source: &Source, parameters: &FiniteElement) -> Result<(), SweepFileError> {

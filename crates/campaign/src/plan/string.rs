@@ -25,7 +25,10 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Drillstring, Sw
         shear_modulus: 1e9 * modulus,
         density,
     };
+    let axis = Axis::String(StringAxis::LossFactor);
+    source.check_axis("string.loss_factor", axis, table.loss_factor)?;
     let string = Drillstring::new(material, sections, damping)
+        .and_then(|string| string.with_loss_factor(table.loss_factor))
         .map_err(|error| source.error(&key_of(&error), error.to_string()))?;
     length(source, &string)?;
     Ok(string)

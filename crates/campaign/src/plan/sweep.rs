@@ -146,7 +146,7 @@ impl Sweep {
         if methods.is_empty() {
             certify::resolve(&source, &content)?;
         }
-        let methods = methods::resolve(&source, &content)?;
+        let methods = methods::resolve(&source, &content, &design)?;
         let map = map::resolve(&source, &content, &design, &setting, bit.as_ref())?;
         Ok(Self {
             title: (content.title.clone()).unwrap_or_else(|| in_words(&name)),

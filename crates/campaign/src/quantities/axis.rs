@@ -151,6 +151,10 @@ pub enum StringAxis {
     IntegralGain,
     /// Density of the mud.
     MudDensity,
+    /// Its viscosity.
+    MudViscosity,
+    /// Loss factor η of the material and its joints.
+    LossFactor,
     /// An eccentric mass.
     EccentricMass {
         /// Which one.

@@ -134,11 +134,12 @@ pub fn shown_as(name: &str) -> Option<&'static Twin> {
 }
 
 /// Endings of units that are the same everywhere.
-const PLAIN: [(&str, &str); 5] = [
+const PLAIN: [(&str, &str); 6] = [
     ("_rpm", "rpm"),
     ("_s", "s"),
     ("_hz", "Hz"),
     ("_deg", "°"),
+    ("_cp", "cP"),
     ("_gn_m15", "GN/m^1.5"),
 ];
 

@@ -57,7 +57,7 @@ const fn at_site(quantity: WallQuantity) -> Axis {
 
 /// One axis of every kind: operating conditions in the order of their columns, then
 /// quantities of the string.
-const KINDS: [Axis; 42] = [
+const KINDS: [Axis; 44] = [
     Axis::SurfaceSpeedRpm,
     Axis::WeightOnBitKn,
     Axis::TorqueDynamicNm,
@@ -98,6 +98,8 @@ const KINDS: [Axis; 42] = [
     Axis::String(StringAxis::ProportionalGain),
     Axis::String(StringAxis::IntegralGain),
     Axis::String(StringAxis::MudDensity),
+    Axis::String(StringAxis::MudViscosity),
+    Axis::String(StringAxis::LossFactor),
     Axis::String(StringAxis::EccentricMass { mass: 0 }),
     Axis::String(StringAxis::EccentricOffset { mass: 0 }),
 ];
@@ -149,6 +151,8 @@ impl Axis {
                 StringAxis::ProportionalGain => row("proportional_gain_knms_rad", ("Proportional gain K_p", "K_p"), (1e-6, 1e6, "kN m s/rad")),
                 StringAxis::IntegralGain => row("integral_gain_knm_rad", ("Integral gain K_i", "K_i"), (1e-6, 1e6, "kN m/rad")),
                 StringAxis::MudDensity => row("mud_density_kg_m3", ("Density of the mud", ""), (1.0, 3e3, "kg/m³")),
+                StringAxis::MudViscosity => row("mud_viscosity_cp", ("Viscosity of the mud", ""), (0.0, 1e4, "cP")),
+                StringAxis::LossFactor => row("loss_factor", ("Loss factor of the string η", "η"), (0.0, 0.2, "")),
                 StringAxis::EccentricMass { .. } => row("eccentric_mass_0_mass_kg", ("Eccentric mass 0", ""), (0.0, 1e6, "kg")),
                 StringAxis::EccentricOffset { .. } => row("eccentric_mass_0_offset_m", ("Offset of eccentric mass 0", ""), (0.0, 10.0, "m")),
                 StringAxis::TorsionalDamping => row("torsional_damping_nms_rad_m", ("Torsional damping", ""), (0.0, 1e5, "N m s/rad per m")),
@@ -373,7 +377,7 @@ mod tests {
         for axis in KINDS {
             let Quantity { name, unit, .. } = axis.quantity();
             let Some(twin) = Units::Field.twin_of(name) else {
-                let without = ["", "rpm", "GN/m^1.5"];
+                let without = ["", "rpm", "GN/m^1.5", "cP"];
                 assert!(without.contains(&unit), "{name} has no twin");
                 continue;
             };

@@ -74,6 +74,10 @@ impl FileContent {
             StringAxis::MudDensity => {
                 self.mud.as_mut().ok_or(NoPlace::Mud)?.density_kg_m3 = value;
             }
+            StringAxis::MudViscosity => {
+                self.mud.as_mut().ok_or(NoPlace::Mud)?.viscosity_cp = value;
+            }
+            StringAxis::LossFactor => self.string.loss_factor = value,
             StringAxis::EccentricMass { mass } => self.eccentric_mass(mass)?.mass_kg = value,
             StringAxis::EccentricOffset { mass } => self.eccentric_mass(mass)?.offset_m = value,
         }

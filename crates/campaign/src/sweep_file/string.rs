@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::lateral::BendingTable;
+use super::number_or::is_zero;
 use crate::quantities::TubeMeasure;
 
 /// The drillstring: material, damping, sections from the surface down.
@@ -20,6 +21,12 @@ pub struct StringTable {
     /// `direct-idft` need some. `inspect` prints what it leaves of a wave.
     #[schemars(range(min = 0.0, max = 1e5))]
     pub torsional_damping_nms_rad_m: f64,
+    /// Loss factor η of the material and of its joints: over 2π, the part of its energy that the
+    /// string loses in a cycle, at any frequency. Steel by itself has 0.0001 to 0.0006, strings with
+    /// joints more.
+    #[schemars(!skip_serializing_if, range(min = 0.0, max = 0.2))]
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub loss_factor: f64,
     /// Constants of bending; needed with a wall.
     pub bending: Option<BendingTable>,
     /// Instead of `sections`: a BHA sheet, a CSV file or a workbook in the folder of the file that

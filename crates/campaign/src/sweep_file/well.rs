@@ -15,8 +15,8 @@ pub struct WellTable {
     /// bit at least. Between its stations the well is an arc of a circle (minimum curvature);
     /// one so sharp that pipe would yield is warned of.
     pub survey: Option<String>,
-    /// Radius of the hole where it is the same all along, for `[mud]` around a string that
-    /// bends and for `clearance = "hole"`. Every part of the string is narrower, or a bit or
+    /// Radius of the hole where it is the same all along, for `[mud]` that is viscous or around a
+    /// string that bends, and for `clearance = "hole"`. Every part of the string is narrower, or a bit or
     /// blades of full gauge.
     #[schemars(range(min = 0.001, max = 2.0))]
     pub hole_radius_m: Option<f64>,
@@ -47,9 +47,16 @@ pub struct HoleTable {
 #[serde(deny_unknown_fields)]
 pub struct MudTable {
     /// Its density. With `[string_friction]` or `[axial_force]` the string is buoyed by it;
-    /// with a `[wall]` it moves with the string in bending, inside and around it.
+    /// with a `[wall]` it moves with the string in bending, inside and around it; viscous mud
+    /// turns with the string in part.
     #[schemars(range(min = 1.0, max = 3000.0))]
     pub density_kg_m3: f64,
+    /// Its viscosity at the rates of shear of vibration; water has 1, muds have 5 to 50. In the
+    /// bore and in the annulus to the hole of `[well]` it holds the string back, more at high
+    /// frequencies than at low ones.
+    #[schemars(!skip_serializing_if, range(min = 0.0, max = 1e4))]
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub viscosity_cp: f64,
 }
 
 /// The axial force along a string that bends.

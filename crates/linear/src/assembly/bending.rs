@@ -142,7 +142,7 @@ mod tests {
 
     use super::*;
     use crate::drillstring::{Bending, Drillstring, Material, Section, Tube};
-    use crate::waves::bending::uniform;
+    use crate::waves::bending::{Resistance, uniform};
 
     fn string() -> Drillstring {
         let material = Material {
@@ -167,7 +167,8 @@ mod tests {
     fn cell(s: Complex64) -> Beam {
         let string = string();
         let tube = &string.sections()[0].parts[0];
-        uniform(&BENDING, tube, string.mass_sideways(tube, None), s)
+        let mass = string.mass_sideways(tube, None);
+        uniform(&BENDING, tube, Resistance::constant(&BENDING, mass, s))
     }
 
     fn difference(Block(one): Block, Block(other): Block) -> f64 {

@@ -13,6 +13,11 @@ use super::number::Number;
 pub struct Block<T = Complex64>(pub [[T; 2]; 2]);
 
 impl<T: Number> Block<T> {
+    /// Every entry multiplied by a number.
+    pub fn multiplied(self, by: T) -> Self {
+        self.zip(self, |a, _| a * by)
+    }
+
     /// M R of this M, R the motion of the bottom of a rigid piece by that of its top.
     pub fn carried(self, length: f64) -> Self {
         let [[a, b], [c, d]] = self.0;

@@ -7,7 +7,7 @@
 //! overflows.
 
 use crate::drillstring::{Section, Tube};
-use crate::spans::{Span, SurroundedSpan};
+use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 
 /// Dynamic stiffness of a piece of string between its top and its bottom.
@@ -88,15 +88,8 @@ pub fn section<S: Stiffness>(
     Some(cell.repeated(section.repeat))
 }
 
-/// Stiffness of everything between two neighbouring nodes, both of interest; `None` where there is
-/// nothing.
-pub(crate) fn span<S: Stiffness>(span: &Span, tube: impl Fn(&Tube) -> S) -> Option<S> {
-    let runs = span.runs.iter();
-    let pieces = runs.filter_map(|run| section(run, Ends::Both, &tube));
-    row(pieces, Ends::Both)
-}
-
-/// The same from that of its tubes and of what is around each, by the ends of interest.
+/// Stiffness of everything between two neighbouring nodes from that of its tubes and of what is
+/// around each, by the ends of interest; `None` where there is nothing.
 pub(crate) fn surrounded<S: Stiffness>(
     span: &SurroundedSpan,
     ends: Ends,

@@ -56,6 +56,16 @@ impl<T: Number> Stiffness for StiffBeam<T> {
 }
 
 impl<T: Number> StiffBeam<T> {
+    /// Stiffness and inertia multiplied by a number.
+    pub fn multiplied(self, by: T) -> Self {
+        Self {
+            elastic: self.elastic.multiplied(by),
+            mixed: self.mixed.multiplied(by),
+            rigid: self.rigid.multiplied(by),
+            ..self
+        }
+    }
+
     /// The same between its ends.
     pub fn between_ends(&self) -> BeamStiffness<T> {
         BeamStiffness {

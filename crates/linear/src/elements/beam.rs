@@ -3,8 +3,10 @@
 //!
 //! Degrees of freedom of a node: displacement, slope.
 
+use super::fading::{Fading, NodalDrag};
 use super::mesh::Mesh;
 use super::newmark::{Entry, Matrices};
+use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
 use crate::error::BuildError;
 
@@ -24,11 +26,14 @@ pub fn assemble(
     let size = 2 * mesh.nodes() - held;
     let mut mass = Vec::with_capacity(16 * mesh.elements.len());
     let mut stiffness = Vec::with_capacity(16 * mesh.elements.len());
+    let mut elastic = Vec::new();
+    let fades = !string.loss().relaxations().is_empty();
     let mut damping = vec![0.0; size];
     for (upper, (element, around)) in mesh.elements.iter().zip(&mesh.around).enumerate() {
         let first = 2 * upper;
         let element_mass = mass_matrix(element, string.mass_sideways(element, around.hole_radius));
         let element_stiffness = stiffness_matrix(element, &bending.under(around.tension));
+        let of_material = stiffness_matrix(element, &bending.straight());
         for row in 0..4 {
             for column in 0..4 {
                 let (Some(i), Some(j)) = (
@@ -39,6 +44,9 @@ pub fn assemble(
                 };
                 mass.push(Entry::new(i, j, element_mass[row][column]));
                 stiffness.push(Entry::new(i, j, element_stiffness[row][column]));
+                if fades {
+                    elastic.push(Entry::new(i, j, of_material[row][column]));
+                }
             }
         }
         for displacement in [first, first + 2] {
@@ -47,7 +55,10 @@ pub fn assemble(
             }
         }
     }
-    Matrices::new(&mass, damping, &stiffness)
+    let place = |node: usize| (2 * node).checked_sub(held);
+    let drag = NodalDrag::new(string, Channel::Bending, mesh, size, place);
+    let fading = Fading::new(string, drag, &mut damping, elastic);
+    Ok(Matrices::new(&mass, damping, &stiffness)?.with_fading(fading))
 }
 
 /// The dashpot on the displacement of either node, N s/m.

@@ -78,6 +78,11 @@ impl Mesh {
         std::iter::once(0.0).chain(below).collect()
     }
 
+    /// The elements with what is around each.
+    pub(crate) fn elements_around(&self) -> impl Iterator<Item = (&Tube, &Surroundings)> {
+        self.elements.iter().zip(&self.around)
+    }
+
     /// Number of nodes, the surface included.
     pub fn nodes(&self) -> usize {
         self.elements.len() + 1

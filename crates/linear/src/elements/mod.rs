@@ -3,6 +3,7 @@
 //! material's constants.
 
 pub(crate) mod beam;
+pub(crate) mod fading;
 pub(crate) mod mesh;
 pub mod newmark;
 pub mod reconstruction;
@@ -10,3 +11,5 @@ pub(crate) mod recurrence;
 pub mod reduction;
 pub mod stepped;
 pub(crate) mod torsion;
+
+pub use crate::distributed_loss::error_of_drag;

@@ -12,6 +12,7 @@ use faer::sparse::linalg::solvers::Llt;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Accum, MatMut, MatRef, Par, Side};
 
+use super::fading::Fading;
 use crate::checks::check_sampling;
 use crate::error::BuildError;
 use crate::method::FiniteElement;
@@ -25,6 +26,7 @@ pub(crate) struct Matrices {
     mass: SparseColMat<usize, f64>,
     damping: Vec<f64>,
     stiffness: SparseColMat<usize, f64>,
+    fading: Option<Fading>,
 }
 
 impl Matrices {
@@ -39,7 +41,18 @@ impl Matrices {
             mass: sparse(size, mass)?,
             damping,
             stiffness: sparse(size, stiffness)?,
+            fading: None,
         })
+    }
+
+    /// The same with forces that depend on earlier motion.
+    pub fn with_fading(self, fading: Option<Fading>) -> Self {
+        Self { fading, ..self }
+    }
+
+    /// Those forces.
+    pub fn fading(&self) -> Option<&Fading> {
+        self.fading.as_ref()
     }
 
     /// Number of degrees of freedom.
@@ -244,8 +257,11 @@ impl Integrator {
     /// Factorises M + γh C + βh² K.
     ///
     /// # Errors
-    /// Where that is not positive definite.
+    /// Where that is not positive definite, or forces depend on earlier motion.
     pub fn new(matrices: Matrices, weights: Weights) -> Result<Self, BuildError> {
+        if matrices.fading.is_some() {
+            return Err(BuildError::LossNotStepped);
+        }
         let effective = matrices.combined(weights.velocity_gain(), weights.displacement_gain())?;
         Ok(Self {
             weights,

@@ -30,7 +30,7 @@
 //! ```
 
 use super::mesh::most_elements;
-use super::stepped::{self, ASSEMBLED, SteppedChannel};
+use super::stepped::{self, SteppedChannel, assembled_bytes};
 use crate::budget::{Need, REAL};
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::BuildError;
@@ -70,12 +70,12 @@ impl WholeString<'_> {
     pub fn need(&self, shapes: usize) -> Need {
         let cells = self.parameters.elements_per_cell;
         let nodes = most_elements(self.string, self.sites, cells) + 1.0;
-        let beam = SteppedChannel::<2, 2>::bytes(nodes, self.sites.len());
-        let motion = SteppedChannel::<2, 2>::motion_bytes(nodes);
+        let beam = SteppedChannel::<2, 2>::bytes(self.string, nodes, self.sites.len());
+        let motion = SteppedChannel::<2, 2>::motion_bytes(self.string, nodes);
         // Depths, peaks, and x and y of each shape.
         let kept = REAL * nodes * (2.0 + 2.0 * shapes as f64);
         Need {
-            peak: beam + motion + ASSEMBLED * nodes + kept,
+            peak: beam + motion + assembled_bytes(self.string, nodes) + kept,
             kept,
         }
     }

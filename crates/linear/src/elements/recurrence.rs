@@ -23,17 +23,21 @@ use crate::assembly::stiff_beam::{StiffBeam, turns};
 use crate::assembly::torsion::{Drive, DynamicStiffness, TorsionAdmittance};
 use crate::assembly::{bending, chain, torsion};
 use crate::channel::Channel;
+use crate::distributed_loss::{LossAlong, tubes};
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
 use crate::error::BuildError;
+use crate::loss::Fit;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 
-/// Velocity and acceleration per displacement at one ζ.
+/// Velocity and acceleration per displacement at one ζ, and the rate 2(1 − ζ)/(h(1 + ζ)) of what
+/// is stepped by the trapezoidal rule, rad/s: loss with a memory, which that keeps passive.
 #[derive(Debug, Clone, Copy)]
 struct Rates<T> {
     velocity: T,
     acceleration: T,
+    trapezoidal: T,
 }
 
 impl<T: Number> Rates<T> {
@@ -48,6 +52,7 @@ impl<T: Number> Rates<T> {
         Self {
             velocity: per_step * in_velocity,
             acceleration: per_step * advance * step.recip(),
+            trapezoidal: advance * (zeta + 1.0).inverse() * (2.0 / step),
         }
     }
 }
@@ -60,6 +65,7 @@ pub(crate) struct ElementChain<'a> {
     sites: usize,
     longest: f64,
     weights: Weights,
+    loss: LossAlong<Fit>,
 }
 
 impl<'a> ElementChain<'a> {
@@ -79,6 +85,7 @@ impl<'a> ElementChain<'a> {
         check_number(&spans, longest)?;
         Ok(Self {
             string,
+            loss: LossAlong::fitted(string, channel, tubes(&spans)),
             spans,
             sites: sites.len(),
             longest,
@@ -94,10 +101,13 @@ impl<'a> ElementChain<'a> {
         zeta: T,
     ) -> ResponseMatrix<T> {
         let rates = Rates::at(&self.weights, zeta);
+        let loss = self.loss.at(|| rates.trapezoidal);
         let tube = |around: Surroundings, tube: &Tube| {
             let (count, element) = divided(tube, self.longest);
+            // The mass that is moved aside however fast is mass to the scheme as well.
             let mass = self.string.mass_sideways(tube, around.hole_radius);
-            let element = beam_element(&bending.under(around.tension), &element, mass, rates);
+            let loss = (loss.drag_on(tube, around.hole_radius), loss.stiffening());
+            let element = beam_element(&bending.under(around.tension), &element, mass, rates, loss);
             Beam::of(element).repeated(count)
         };
         bending::reduce(chain::hanging(&self.spans, tube), self.sites, support)
@@ -137,9 +147,12 @@ impl ElementChain<'_> {
         &self,
         rates: Rates<T>,
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
-        let tube =
-            move |_, tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
-        (self.spans.iter()).map(move |span| chain::surrounded(span, Ends::Both, tube))
+        let loss = self.loss.at(|| rates.trapezoidal);
+        let tube = move |around: Surroundings, tube: &Tube| {
+            let loss = (loss.drag_on(tube, around.hole_radius), loss.stiffening());
+            torsion_row(self.string, divided(tube, self.longest), rates, loss)
+        };
+        (self.spans.iter()).map(move |span| chain::surrounded(span, Ends::Both, &tube))
     }
 
     fn drive<T: Number>(&self, rates: Rates<T>) -> Option<Drive<T>> {
@@ -154,19 +167,28 @@ impl ElementChain<'_> {
 /// Elements of a tube in a row, torques per speed.
 fn torsion_row<T: Number>(
     string: &Drillstring,
-    (count, element): (usize, Tube),
+    (count, tube): (usize, Tube),
     rates: Rates<T>,
+    (mud, stiffening): (Option<T>, Option<T>),
 ) -> DynamicStiffness<T> {
     let Element {
         inertia,
         spring,
         dashpot,
-    } = Element::of(string, &element);
+    } = Element::of(string, &tube);
     // At either node a third of the inertia, and a sixth with the other node's.
     let per_speed = rates.velocity.inverse();
     let in_speed = rates.acceleration * per_speed;
-    let alike = in_speed * (inertia / 2.0) + dashpot;
-    let opposite = in_speed * (inertia / 6.0) + per_speed * (2.0 * spring) + dashpot;
+    let mut alike = in_speed * (inertia / 2.0) + dashpot;
+    let mut twisted = per_speed * (2.0 * spring);
+    if let Some(stiffening) = stiffening {
+        twisted = twisted * stiffening;
+    }
+    let mut opposite = in_speed * (inertia / 6.0) + twisted + dashpot;
+    if let Some(mud) = mud {
+        let mud = mud * (0.5 * tube.length);
+        (alike, opposite) = (alike + mud, opposite + mud);
+    }
     DynamicStiffness::row(alike, opposite, count)
 }
 
@@ -175,9 +197,13 @@ fn beam_element<T: Number>(
     tube: &Tube,
     mass_per_length: f64,
     rates: Rates<T>,
+    (mud, stiffening): (Option<T>, Option<T>),
 ) -> StiffBeam<T> {
     let mass = mass_matrix(tube, mass_per_length);
-    let damping = rates.velocity * dashpot(tube, bending);
+    let mut damping = rates.velocity * dashpot(tube, bending);
+    if let Some(mud) = mud {
+        damping = damping + rates.velocity * mud * (0.5 * tube.length);
+    }
     // Of inertia and dashpots, which a rigid motion meets in full.
     let carried = |row: usize, column: usize| {
         Block([0, 1].map(|i| {
@@ -197,14 +223,23 @@ fn beam_element<T: Number>(
     // It takes no force to carry a beam along, but for what a compressed one pushes aside.
     let [aside, about] = [1.0, length].map(|arm| T::real(-bending.compression * arm));
     let stiffness = stiffness_matrix(tube, bending);
-    let elastic = [2, 3].map(|i| [2, 3].map(|j| T::real(stiffness[i][j])));
+    let mut elastic = Block([2, 3].map(|i| [2, 3].map(|j| T::real(stiffness[i][j]))));
+    if let Some(stiffening) = stiffening {
+        // Of the modulus alone, not of what compression takes from it.
+        let own = stiffness_matrix(tube, &bending.straight());
+        let own = Block([2, 3].map(|i| [2, 3].map(|j| T::real(own[i][j]))));
+        elastic = elastic + own.multiplied(stiffening - 1.0);
+    }
     let mixed = cross.transpose() + along;
     let inertia = rates.acceleration * mass_per_length;
-    let foundation = inertia + rates.velocity * bending.damping;
+    let mut foundation = inertia + rates.velocity * bending.damping;
+    if let Some(mud) = mud {
+        foundation = foundation + rates.velocity * mud;
+    }
     StiffBeam {
         length,
         turns: turns(bending, tube, foundation),
-        elastic: Block(elastic) + bottom,
+        elastic: elastic + bottom,
         mixed: mixed + Block([[zero, aside], [zero, zero]]),
         rigid: carried(0, 0)
             + cross.carried(length)

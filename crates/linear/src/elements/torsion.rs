@@ -3,8 +3,10 @@
 
 use faer::sparse::Triplet;
 
+use super::fading::{Fading, NodalDrag};
 use super::mesh::Mesh;
 use super::newmark::{Entry, Matrices};
+use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 use crate::top_drive::TopDrive;
@@ -60,7 +62,7 @@ pub fn assemble(string: &Drillstring, mesh: &Mesh) -> Result<TorsionMatrices, Bu
         }
     }
     Ok(TorsionMatrices {
-        free: entries.matrices()?,
+        free: entries.matrices(string, mesh, |node| node.checked_sub(1))?,
         surface_mass,
         surface_stiffness,
     })
@@ -84,14 +86,19 @@ pub fn assemble_below_drive(
     }
     entries.mass.push(Triplet::new(0, 0, drive.inertia));
     entries.damping[0] += drive.proportional_gain;
-    (entries.stiffness).push(Triplet::new(0, 0, drive.integral_gain));
-    entries.matrices()
+    entries
+        .springs
+        .push(Triplet::new(0, 0, drive.integral_gain));
+    entries.matrices(string, mesh, Some)
 }
 
 /// Entries of the matrices, as they are summed up.
 struct Entries {
     mass: Vec<Entry>,
-    stiffness: Vec<Entry>,
+    /// Of the string's material.
+    elastic: Vec<Entry>,
+    /// Of other springs.
+    springs: Vec<Entry>,
     damping: Vec<f64>,
 }
 
@@ -100,7 +107,8 @@ impl Entries {
     fn none(nodes: usize) -> Self {
         Self {
             mass: Vec::with_capacity(4 * nodes),
-            stiffness: Vec::with_capacity(4 * nodes),
+            elastic: Vec::with_capacity(4 * nodes),
+            springs: Vec::new(),
             damping: vec![0.0; nodes],
         }
     }
@@ -109,7 +117,7 @@ impl Entries {
     fn add_below(&mut self, element: &Element, bottom: usize) {
         let own = element.inertia / 3.0;
         self.mass.push(Triplet::new(bottom, bottom, own));
-        (self.stiffness).push(Triplet::new(bottom, bottom, element.spring));
+        (self.elastic).push(Triplet::new(bottom, bottom, element.spring));
         self.damping[bottom] += element.dashpot;
     }
 
@@ -117,16 +125,26 @@ impl Entries {
     fn add_above(&mut self, element: &Element, top: usize) {
         let own = element.inertia / 3.0;
         self.mass.push(Triplet::new(top, top, own));
-        self.stiffness.push(Triplet::new(top, top, element.spring));
+        self.elastic.push(Triplet::new(top, top, element.spring));
         self.damping[top] += element.dashpot;
         for (row, column) in [(top, top + 1), (top + 1, top)] {
             let across = element.inertia / 6.0;
             self.mass.push(Triplet::new(row, column, across));
-            (self.stiffness).push(Triplet::new(row, column, -element.spring));
+            (self.elastic).push(Triplet::new(row, column, -element.spring));
         }
     }
 
-    fn matrices(self) -> Result<Matrices, BuildError> {
-        Matrices::new(&self.mass, self.damping, &self.stiffness)
+    /// The matrices, with the loss of the string that fades: `place` gives the degree of freedom of
+    /// a node, if it is free.
+    fn matrices(
+        mut self,
+        string: &Drillstring,
+        mesh: &Mesh,
+        place: impl Fn(usize) -> Option<usize>,
+    ) -> Result<Matrices, BuildError> {
+        let drag = NodalDrag::new(string, Channel::Torsion, mesh, self.damping.len(), place);
+        let stiffness = [&self.elastic[..], &self.springs].concat();
+        let fading = Fading::new(string, drag, &mut self.damping, self.elastic);
+        Ok(Matrices::new(&self.mass, self.damping, &stiffness)?.with_fading(fading))
     }
 }

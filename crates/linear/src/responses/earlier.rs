@@ -37,18 +37,21 @@ impl<'a> Earlier<'a> {
     }
 }
 
-/// Whether two strings move alike in a channel. Torsion feels nothing of what is around a string
-/// or pulls at it, bending nothing of what damps or drives its rotation.
+/// Whether two strings move alike in a channel. Torsion feels nothing of what is around a string,
+/// viscous mud apart, or pulls at it, bending nothing of what damps or drives its rotation.
 fn move_alike(one: &Drillstring, other: &Drillstring, channel: Channel) -> bool {
     let is_same = one.material() == other.material() && one.sections() == other.sections();
     is_same
         && match channel {
             Channel::Torsion => {
-                one.torsional_damping() == other.torsional_damping()
+                one.loss() == other.loss()
+                    && one.mud_around() == other.mud_around()
                     && one.top_drive() == other.top_drive()
             }
             Channel::Bending => {
-                one.hole() == other.hole() && one.axial_force() == other.axial_force()
+                one.hole() == other.hole()
+                    && one.axial_force() == other.axial_force()
+                    && one.loss().loss_factor() == other.loss().loss_factor()
             }
         }
 }

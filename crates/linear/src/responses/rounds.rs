@@ -83,7 +83,7 @@ impl Rounds {
         let used = used_taps(string, request.longest_time, frequency);
         let decayed = first_length(string, frequency)? as f64;
         // What nothing damps does not decay.
-        let decays = string.torsional_damping() > 0.0 && decayed <= WORTH_WHILE * used;
+        let decays = string.loss().damps_torsion() && decayed <= WORTH_WHILE * used;
         let first = if decays { decayed } else { used };
         let doubled_to = |length: f64| {
             let doublings = (length / first).log2().ceil().max(0.0);

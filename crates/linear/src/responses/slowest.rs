@@ -38,8 +38,12 @@ pub(super) fn loss_per_step(
     scheme: Scheme,
     sampling_frequency: f64,
 ) -> Option<f64> {
-    if string.torsional_damping() == 0.0 {
+    if !string.loss().damps_torsion() {
         return None;
+    }
+    if string.loss().has_memory() && scheme != Scheme::Trapezoidal {
+        // Loss that depends on frequency has no such bound in closed form.
+        return Some(0.0);
     }
     let (vibrates, seeps) = (vibrating_rate(string), seeping_rate(string));
     let rate = vibrates.min(seeps) / sampling_frequency;

@@ -324,7 +324,7 @@ fn transform_length_of(
     transform: &Transform,
     request: &Request,
 ) -> Result<usize, BuildError> {
-    if string.torsional_damping() <= 0.0 {
+    if !string.loss().damps_torsion() {
         let method = method.name();
         return Err(BuildError::NeedsDamping { method });
     }

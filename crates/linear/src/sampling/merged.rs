@@ -15,13 +15,14 @@ const SAME_RADIUS: f64 = 1e-9;
 const MOST_PARTS: usize = 8;
 
 /// The same string in torsion with its equal neighbours joined and what repeats in sections,
-/// under the same drive; without what surrounds it.
+/// under the same drive and with the same loss; without what surrounds it, viscous mud apart.
 ///
 /// # Errors
 /// Where the string is so short that rounding leaves nothing of it.
 pub fn merged(string: &Drillstring) -> Result<Drillstring, DrillstringError> {
     let sections = sections(&tubes(string));
-    let merged = Drillstring::new(string.material(), sections, string.torsional_damping())?;
+    let merged = Drillstring::new(string.material(), sections, string.torsional_damping())?
+        .with_loss_of(string)?;
     match string.top_drive() {
         None => Ok(merged),
         Some(drive) => merged.with_top_drive(drive),

@@ -6,7 +6,7 @@ use linear::assembly::bending::{Beam, reduce};
 use linear::assembly::block::Block;
 use linear::assembly::chain::Stiffness;
 use linear::assembly::matrix::ResponseMatrix;
-use linear::waves::bending::uniform;
+use linear::waves::bending::{Resistance, uniform};
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::transfer::tip_receptance;
 use linear::{Bending, Drillstring, Section, Sites, SurfaceSupport, Tube};
@@ -205,7 +205,8 @@ fn pinned_frequency(length: f64, compression: f64) -> f64 {
     let determinant = |omega: f64| {
         let s = Complex64::new(0.0, omega);
         let part = &string.sections()[0].parts[0];
-        let beam = uniform(&bending, part, string.mass_sideways(part, None), s).between_ends();
+        let mass = string.mass_sideways(part, None);
+        let beam = uniform(&bending, part, Resistance::constant(&bending, mass, s)).between_ends();
         let slope = |Block(entries): Block| entries[1][1];
         (slope(beam.top) * slope(beam.bottom) - slope(beam.cross) * slope(beam.cross)).re
     };
@@ -299,7 +300,8 @@ fn tube_by_tube(
         for (span, length) in spans.iter_mut().zip([above, tube.length - above]) {
             if length > 0.0 {
                 let part = Tube { length, ..tube };
-                let part = uniform(bending, &part, string.mass_sideways(&part, None), s);
+                let mass = string.mass_sideways(&part, None);
+                let part = uniform(bending, &part, Resistance::constant(bending, mass, s));
                 *span = Some(span.map_or(part, |upper| upper.join(part)));
             }
         }

@@ -4,6 +4,8 @@
 use super::academic::{self, SAMPLING_FREQUENCY, tube};
 use linear::RaisedCosine;
 use linear::assembly::chain::{self, Ends, Stiffness};
+use linear::assembly::torsion::DynamicStiffness;
+use linear::distributed_loss::LossAlong;
 use linear::estimates::{
     torsional_impedance, torsional_stiffness, torsional_travel_time, torsional_wave_left,
 };
@@ -26,6 +28,12 @@ fn methods() -> [Method; 3] {
 fn responses(string: &Drillstring, method: &Method, request: &Request) -> ChannelResponses {
     let responses = linear::responses(string, method, request).unwrap();
     responses.torsion().unwrap().clone()
+}
+
+/// A tube without mud around it.
+fn bare(string: &Drillstring, tube: &Tube, s: Complex64) -> DynamicStiffness {
+    let loss = LossAlong::exact(string, linear::Channel::Torsion, &[]);
+    torsion::uniform(string, (tube, None), s, &loss.at(|| s))
 }
 
 fn running_sum(taps: &[f64]) -> Vec<f64> {
@@ -295,9 +303,7 @@ fn val_a_string_turned_over_has_its_ends_exchanged() {
         let s = Complex64::new(0.3, omega);
         let whole = |string: &Drillstring| {
             let pieces = string.sections().iter().filter_map(|section| {
-                chain::section(section, Ends::Both, |tube| {
-                    torsion::uniform(string, tube, s)
-                })
+                chain::section(section, Ends::Both, |tube| bare(string, tube, s))
             });
             pieces.reduce(Stiffness::join).unwrap()
         };
@@ -326,7 +332,7 @@ fn val_rows_of_cells_agree_with_the_eigenvectors_of_the_paper() {
                 repeat: count,
                 parts: parts.clone(),
             };
-            let tube = |tube: &Tube| torsion::uniform(&string, tube, s);
+            let tube = |tube: &Tube| bare(&string, tube, s);
             let doubled = chain::section(&section, Ends::Both, tube).unwrap();
             for (found, expected) in [
                 (doubled.top, top),
@@ -355,12 +361,9 @@ fn val_plain_products_of_transfer_matrices_overflow_where_joined_stiffnesses_do_
         repeat: 2001,
         parts: vec![part],
     };
-    let joined = chain::section(&section, Ends::Both, |tube| {
-        torsion::uniform(&string, tube, s)
-    })
-    .unwrap();
+    let joined = chain::section(&section, Ends::Both, |tube| bare(&string, tube, s)).unwrap();
     // So long and so damped, the string is one-way: its top is alone.
-    let infinite = torsion::uniform(&string, &tube(1e5, 0.125), s).top;
+    let infinite = bare(&string, &tube(1e5, 0.125), s).top;
     assert!((joined.top - infinite).norm() <= 1e-9 * infinite.norm());
     assert!(joined.bottom.is_finite() && joined.cross.norm() == 0.0);
 }

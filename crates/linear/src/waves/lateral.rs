@@ -20,12 +20,13 @@
 
 use num_complex::Complex64;
 
-use super::bending::{endless, uniform};
+use super::bending::{Resistance, endless, uniform};
 use crate::assembly::bending::reduce;
 use crate::assembly::chain::hanging;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::number::Number;
 use crate::channel::Channel;
+use crate::distributed_loss::{Interpolated, LossAlong};
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
 use crate::error::DrillstringError;
 use crate::sites::Sites;
@@ -40,6 +41,7 @@ pub struct BendingNetwork<'a> {
     support: SurfaceSupport,
     spans: Vec<SurroundedSpan>,
     sites: usize,
+    loss: LossAlong<Interpolated>,
 }
 
 impl<'a> BendingNetwork<'a> {
@@ -55,11 +57,13 @@ impl<'a> BendingNetwork<'a> {
         sites: &Sites,
     ) -> Result<Self, DrillstringError> {
         bending.check()?;
+        let spans = string.surrounded_spans(Channel::Bending, sites)?;
         Ok(Self {
             string,
             bending,
             support,
-            spans: string.surrounded_spans(Channel::Bending, sites)?,
+            loss: LossAlong::exact(string, Channel::Bending, &spans),
+            spans,
             sites: sites.len(),
         })
     }
@@ -95,10 +99,26 @@ impl<'a> BendingNetwork<'a> {
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance<T: Number>(&self, s: T) -> ResponseMatrix<T> {
+        let loss = self.loss.at(|| s);
         let tube = |around: Surroundings, tube: &Tube| {
-            let mass = self.string.mass_sideways(tube, around.hole_radius);
             let bending = self.bending.under(around.tension);
-            endless(&bending, tube, mass, s).unwrap_or_else(|| uniform(&bending, tube, mass, s))
+            let foundation = match loss.drag_on(tube, around.hole_radius) {
+                None => {
+                    let mass = self.string.mass_sideways(tube, around.hole_radius);
+                    s * (s * mass + bending.damping)
+                }
+                // Its inertia is part of its drag.
+                Some(mud) => {
+                    let mass = self.string.mass_with_bore(tube);
+                    s * (s * mass + mud + bending.damping)
+                }
+            };
+            let resistance = Resistance {
+                foundation,
+                stiffening: loss.stiffening(),
+            };
+            endless(&bending, tube, resistance)
+                .unwrap_or_else(|| uniform(&bending, tube, resistance))
         };
         reduce(hanging(&self.spans, tube), self.sites, self.support)
     }

@@ -3,7 +3,7 @@
 //!
 //! Torsional waves of an undamped tube keep their shape. A string cut into pieces of one
 //! travel time h hands whole waves from node to node: impedance steps scatter them, the
-//! damping c_t of each piece is lumped, half at either end. That is itself a passive
+//! damping c_t of each piece is lumped, half at either end, and so is the drag of viscous mud. That is itself a passive
 //! string, of the second order in the damping and without error in anything else but
 //! the lengths that are no multiples of a piece. What is turned or held constant over
 //! times of h leaves speeds that are constant over them, and the delay ζ of one such time
@@ -33,16 +33,20 @@
 //! # Ok::<(), linear::DrillstringError>(())
 //! ```
 
+use std::sync::Arc;
+
 use crate::assembly::chain::Stiffness;
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
     Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
 };
-use crate::drillstring::{Drillstring, Section};
+use crate::channel::Channel;
+use crate::distributed_loss::{Interpolated, LossAlong, LossAt};
+use crate::drillstring::{Drillstring, Section, Tube};
 use crate::error::DrillstringError;
 use crate::estimates::{torsional_impedance, torsional_travel_time};
 use crate::sites::Sites;
-use crate::spans::Span;
+use crate::spans::SurroundedSpan;
 use crate::top_drive::TopDrive;
 
 /// The least number of pieces of a string.
@@ -71,6 +75,7 @@ pub struct Lattice {
     spans: Vec<Vec<Run>>,
     sites: usize,
     top_drive: Option<TopDrive>,
+    loss: Arc<LossAlong<Interpolated>>,
 }
 
 /// Cells in a row.
@@ -88,6 +93,10 @@ struct Run {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Part {
     pieces: usize,
+    /// Its length that of all pieces together.
+    tube: Tube,
+    /// Radius of the hole around it, where mud in it is viscous, m.
+    hole: Option<f64>,
     /// Impedance without damping, N m s/rad.
     impedance: f64,
     /// Damping of all pieces together, N m s/rad.
@@ -100,7 +109,8 @@ impl Lattice {
     /// # Errors
     /// Where these are not places of this string.
     pub fn new(string: &Drillstring, sites: &Sites) -> Result<Self, DrillstringError> {
-        let spans = string.spans(sites)?;
+        let spans = string.surrounded_spans(Channel::Torsion, sites)?;
+        let loss = Arc::new(LossAlong::exact(string, Channel::Torsion, &spans));
         let travel = torsional_travel_time(string);
         let longest = (travel / FEWEST_PIECES).min(longest_damped(string));
         let parts = string.tubes().map(|(_, tube)| tube.length);
@@ -109,13 +119,18 @@ impl Lattice {
         let shortest = longest.min(shortest);
         let price = |lattice: &Self| lattice.misfit / travel + PRICE * travel / lattice.step;
         let lattices = (steps(string, &spans, [shortest, longest]).into_iter())
-            .map(|step| Self::of_steps(string, &spans, sites.len(), step));
+            .map(|step| Self::of_steps(string, (&spans, &loss), sites.len(), step));
         let best = lattices.min_by(|one, other| price(one).total_cmp(&price(other)));
-        Ok(best.unwrap_or_else(|| Self::of_steps(string, &spans, sites.len(), longest)))
+        Ok(best.unwrap_or_else(|| Self::of_steps(string, (&spans, &loss), sites.len(), longest)))
     }
 
     /// Cuts a string into pieces of one travel time, s.
-    fn of_steps(string: &Drillstring, spans: &[Span], sites: usize, step: f64) -> Self {
+    fn of_steps(
+        string: &Drillstring,
+        (spans, loss): (&[SurroundedSpan], &Arc<LossAlong<Interpolated>>),
+        sites: usize,
+        step: f64,
+    ) -> Self {
         let mut cutter = Cutter {
             string,
             step,
@@ -125,11 +140,14 @@ impl Lattice {
         };
         let spans = (spans.iter())
             .map(|span| {
-                let (before, last) = (cutter.pieces, span.runs.len().saturating_sub(1));
-                let runs = span.runs.iter().enumerate();
-                runs.map(|(index, run)| {
+                let runs: Vec<_> = (span.iter())
+                    .flat_map(|part| part.runs.iter().map(|run| (part.around.hole_radius, run)))
+                    .collect();
+                let (before, last) = (cutter.pieces, runs.len().saturating_sub(1));
+                let runs = runs.into_iter().enumerate();
+                runs.map(|(index, (hole, run))| {
                     let is_all = index == last && cutter.pieces == before;
-                    cutter.cut(run, is_all)
+                    cutter.cut(run, hole, is_all)
                 })
                 .collect()
             })
@@ -140,13 +158,18 @@ impl Lattice {
             spans,
             sites,
             top_drive: string.top_drive(),
+            loss: Arc::clone(loss),
         }
+    }
+
+    fn waves<T: Number>(&self, zeta: T) -> Waves<'_, T> {
+        Waves::at(zeta, self.step, &self.loss)
     }
 
     /// The pieces between nodes, torques per speed.
     fn pieces<T: Number>(
         &self,
-        waves: &Waves<T>,
+        waves: &Waves<'_, T>,
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
         self.spans.iter().map(|runs| {
             let runs = runs.iter().filter_map(|run| run.stiffness(waves));
@@ -155,7 +178,7 @@ impl Lattice {
     }
 
     /// By the trapezoidal rule, which keeps energy as the pieces do.
-    fn drive<T: Number>(&self, waves: &Waves<T>) -> Option<Drive<T>> {
+    fn drive<T: Number>(&self, waves: &Waves<'_, T>) -> Option<Drive<T>> {
         self.top_drive.map(|drive| {
             let rotation = waves.opposite * (0.5 * self.step);
             let acceleration = waves.alike * (2.0 / self.step);
@@ -166,7 +189,7 @@ impl Lattice {
     /// The response to what is held over each time h, as speeds in them, at the delay ζ
     /// of h, |ζ| < 1.
     pub fn admittance<T: Number>(&self, zeta: T) -> TorsionAdmittance<T> {
-        let waves = Waves::at(zeta);
+        let waves = self.waves(zeta);
         let drive = self.drive(&waves);
         reduce(self.pieces(&waves), self.sites, T::real(1.0), drive)
     }
@@ -174,7 +197,7 @@ impl Lattice {
     /// Torque with which the surface has to be turned per unit of the speed that it is set to,
     /// no torque acting below, N m s/rad.
     pub fn surface_torque<T: Number>(&self, zeta: T) -> T {
-        let waves = Waves::at(zeta);
+        let waves = self.waves(zeta);
         torque_at_surface(self.pieces(&waves), self.drive(&waves))
     }
 }
@@ -188,13 +211,17 @@ fn longest_damped(string: &Drillstring) -> f64 {
 }
 
 /// Lengths of pieces to try, from the longest: those of which some part is a multiple.
-fn steps(string: &Drillstring, spans: &[Span], [shortest, longest]: [f64; 2]) -> Vec<f64> {
+fn steps(
+    string: &Drillstring,
+    spans: &[SurroundedSpan],
+    [shortest, longest]: [f64; 2],
+) -> Vec<f64> {
     let speed = string.torsional_wave_speed();
     let lengths = |run: &Section| -> Vec<f64> {
         let parts = run.parts.iter().map(|part| part.length);
         parts.chain([run.length()]).collect()
     };
-    let mut steps: Vec<f64> = (spans.iter().flat_map(|span| &span.runs))
+    let mut steps: Vec<f64> = (spans.iter().flatten().flat_map(|part| &part.runs))
         .flat_map(lengths)
         .flat_map(|length| {
             let time = length / speed;
@@ -228,12 +255,14 @@ struct Cutter<'a> {
 
 impl Cutter<'_> {
     /// The next run; one that is all there is between two nodes has at least a piece.
-    fn cut(&mut self, run: &Section, is_all: bool) -> Run {
+    fn cut(&mut self, run: &Section, hole: Option<f64>, is_all: bool) -> Run {
         let speed = self.string.torsional_wave_speed();
         let in_pieces = |length: f64| length / speed / self.step;
         let mut parts: Vec<Part> = (run.parts.iter())
             .map(|tube| Part {
                 pieces: in_pieces(tube.length).round() as usize,
+                tube: *tube,
+                hole,
                 impedance: torsional_impedance(self.string, tube),
                 damping: self.string.torsional_damping() * tube.length,
             })
@@ -267,6 +296,7 @@ impl Cutter<'_> {
             // Equal cells of one tube are one of a longer tube.
             part.pieces = left;
             part.damping *= cells as f64;
+            part.tube.length *= cells as f64;
             cells = 1;
         }
         Run {
@@ -279,25 +309,35 @@ impl Cutter<'_> {
 }
 
 /// What a piece of unit impedance without damping takes at one delay ζ.
-struct Waves<T> {
+struct Waves<'a, T> {
     /// Where both ends turn alike, (1 − ζ)/(1 + ζ).
     alike: T,
-    /// Where they turn against one another, (1 + ζ)/(1 − ζ).
+    /// Where they turn against one another, (1 + ζ)/(1 − ζ), in a material with loss m times that.
     opposite: T,
+    /// By the trapezoidal rule in steps of a piece, which keeps what is passive so.
+    loss: LossAt<'a, T>,
 }
 
-impl<T: Number> Waves<T> {
-    fn at(zeta: T) -> Self {
+impl<'a, T: Number> Waves<'a, T> {
+    /// At ζ, where pieces take the time `step` (s).
+    fn at(zeta: T, step: f64, loss: &'a LossAlong<Interpolated>) -> Self {
         let (sum, difference) = (zeta + 1.0, -zeta + 1.0);
+        let alike = difference * sum.inverse();
+        let opposite = sum * difference.inverse();
+        let loss = loss.at(|| alike * (2.0 / step));
         Self {
-            alike: difference * sum.inverse(),
-            opposite: sum * difference.inverse(),
+            alike,
+            opposite: match loss.stiffening() {
+                None => opposite,
+                Some(stiffening) => opposite * stiffening,
+            },
+            loss,
         }
     }
 }
 
 impl Run {
-    fn stiffness<T: Number>(&self, waves: &Waves<T>) -> Option<DynamicStiffness<T>> {
+    fn stiffness<T: Number>(&self, waves: &Waves<'_, T>) -> Option<DynamicStiffness<T>> {
         let plain = self.cell(0, waves);
         if self.longer == 0 {
             return plain.map(|cell| cell.repeated(self.cells));
@@ -311,7 +351,7 @@ impl Run {
     }
 
     /// A cell with `more` further pieces; `None` where it has no pieces.
-    fn cell<T: Number>(&self, more: usize, waves: &Waves<T>) -> Option<DynamicStiffness<T>> {
+    fn cell<T: Number>(&self, more: usize, waves: &Waves<'_, T>) -> Option<DynamicStiffness<T>> {
         let parts = self.parts.iter().enumerate().filter_map(|(index, part)| {
             let more = if index == self.longest { more } else { 0 };
             part.stiffness(part.pieces + more, waves)
@@ -323,13 +363,21 @@ impl Run {
 impl Part {
     /// Torques per speed of a number of pieces in a row. A piece has Z(1 + ζ²)/(1 − ζ²) +
     /// D/2 at either end and −2Zζ/(1 − ζ²) across.
-    fn stiffness<T: Number>(&self, pieces: usize, waves: &Waves<T>) -> Option<DynamicStiffness<T>> {
+    fn stiffness<T: Number>(
+        &self,
+        pieces: usize,
+        waves: &Waves<'_, T>,
+    ) -> Option<DynamicStiffness<T>> {
         if pieces == 0 {
             return None;
         }
         let dashpot = 0.5 * self.damping / pieces as f64;
-        let alike = waves.alike * self.impedance + dashpot;
-        let opposite = waves.opposite * self.impedance + dashpot;
+        let mut alike = waves.alike * self.impedance + dashpot;
+        let mut opposite = waves.opposite * self.impedance + dashpot;
+        if let Some(mud) = waves.loss.drag_on(&self.tube, self.hole) {
+            let mud = mud * (0.5 * self.tube.length / pieces as f64);
+            (alike, opposite) = (alike + mud, opposite + mud);
+        }
         Some(DynamicStiffness::row(alike, opposite, pieces))
     }
 }

@@ -23,22 +23,27 @@
 use num_complex::Complex64;
 
 use super::torsion::uniform;
-use crate::assembly::chain::{self, Stiffness};
+use crate::assembly::chain::{self, Ends, Stiffness};
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
     Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
 };
+use crate::channel::Channel;
+use crate::distributed_loss::{Interpolated, LossAlong};
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::DrillstringError;
+use crate::estimates::torsional_resistance;
 use crate::sites::Sites;
-use crate::spans::Span;
+use crate::spans::SurroundedSpan;
+use crate::surroundings::Surroundings;
 
 /// A string cut at its sites once, to be evaluated at many frequencies.
 #[derive(Debug, Clone)]
 pub struct TorsionNetwork<'a> {
     string: &'a Drillstring,
-    spans: Vec<Span>,
+    spans: Vec<SurroundedSpan>,
     sites: usize,
+    loss: LossAlong<Interpolated>,
 }
 
 impl<'a> TorsionNetwork<'a> {
@@ -47,9 +52,11 @@ impl<'a> TorsionNetwork<'a> {
     /// # Errors
     /// Where these are not places of this string.
     pub fn new(string: &'a Drillstring, sites: &Sites) -> Result<Self, DrillstringError> {
+        let spans = string.surrounded_spans(Channel::Torsion, sites)?;
         Ok(Self {
             string,
-            spans: string.spans(sites)?,
+            loss: LossAlong::exact(string, Channel::Torsion, &spans),
+            spans,
             sites: sites.len(),
         })
     }
@@ -64,8 +71,11 @@ impl<'a> TorsionNetwork<'a> {
         &self,
         s: T,
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
-        let tube = move |tube: &Tube| uniform(self.string, tube, s);
-        (self.spans.iter()).map(move |span| chain::span(span, tube))
+        let loss = self.loss.at(|| s);
+        let tube = move |around: Surroundings, tube: &Tube| {
+            uniform(self.string, (tube, around.hole_radius), s, &loss)
+        };
+        (self.spans.iter()).map(move |span| chain::surrounded(span, Ends::Both, &tube))
     }
 
     pub(crate) fn drive<T: Number>(&self, s: T) -> Option<Drive<T>> {
@@ -75,7 +85,7 @@ impl<'a> TorsionNetwork<'a> {
 
     /// Torque per speed at the surface where all turns alike for ever.
     fn torque_at_rest(&self) -> f64 {
-        let resistance = self.string.torsional_damping() * self.string.length();
+        let resistance = torsional_resistance(self.string);
         match self.string.top_drive() {
             // It gives way, and nothing brings it back.
             Some(drive) if drive.integral_gain == 0.0 => {

@@ -2,23 +2,44 @@
 
 use crate::assembly::number::Number;
 use crate::assembly::torsion::DynamicStiffness;
+use crate::distributed_loss::LossAt;
 use crate::drillstring::{Drillstring, Tube};
 
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s):
-/// G J γ coth γL and −G J γ csch γL with γ² = s(c_t + sρJ)/(GJ).
-pub fn uniform<T: Number>(string: &Drillstring, tube: &Tube, s: T) -> DynamicStiffness<T> {
+/// G J γ coth γL and −G J γ csch γL with γ² = s(c_t + sρJ)/(GJ). In a `hole` (its radius, m) of
+/// viscous mud, and of a material with loss, c_t grows to c(s) and G to G m(s) (see
+/// [`crate::loss`]).
+pub fn uniform<T: Number>(
+    string: &Drillstring,
+    (tube, hole): (&Tube, Option<f64>),
+    s: T,
+    loss: &LossAt<'_, T>,
+) -> DynamicStiffness<T> {
     let material = string.material();
     let polar_moment = tube.polar_moment();
     let rigidity = material.shear_modulus * polar_moment;
     let inertia = material.density * polar_moment;
-    let damped = s * inertia + string.torsional_damping();
-    let wavenumber = (s * damped * rigidity.recip()).root();
-    let (coth, csch) = scaled_coth_csch(wavenumber * tube.length);
+    let mut damped = s * inertia + string.torsional_damping();
+    if let Some(mud) = loss.drag_on(tube, hole) {
+        damped = damped + mud;
+    }
+    let mut squared = s * damped * rigidity.recip();
+    let stiffening = loss.stiffening();
+    if let Some(stiffening) = stiffening {
+        squared = squared * stiffening.inverse();
+    }
+    let (coth, csch) = scaled_coth_csch(squared.root() * tube.length);
     let static_stiffness = rigidity / tube.length;
-    let driving = coth * static_stiffness;
+    let (driving, cross) = match stiffening {
+        None => (coth * static_stiffness, csch * -static_stiffness),
+        Some(stiffening) => {
+            let stiffness = stiffening * static_stiffness;
+            (coth * stiffness, csch * -stiffness)
+        }
+    };
     DynamicStiffness {
         top: driving,
-        cross: csch * -static_stiffness,
+        cross,
         bottom: driving,
     }
 }

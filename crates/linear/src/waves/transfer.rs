@@ -33,7 +33,7 @@ use std::ops::Mul;
 
 use num_complex::Complex64;
 
-use super::bending::uniform;
+use super::bending::{Resistance, uniform};
 use crate::assembly::beam_stiffness::BeamStiffness;
 use crate::assembly::bending::Beam;
 use crate::assembly::block::Block;
@@ -85,7 +85,9 @@ pub fn tip_receptance(string: &Drillstring, bending: &Bending, rate: f64) -> Com
     let mut chain: Option<Transfer> = None;
     for section in string.sections() {
         for part in (0..section.repeat).flat_map(|_| &section.parts) {
-            let part = Transfer::of(&uniform(bending, part, string.mass_sideways(part, None), s));
+            let mass = string.mass_sideways(part, None);
+            let part = uniform(bending, part, Resistance::constant(bending, mass, s));
+            let part = Transfer::of(&part);
             chain = Some(chain.map_or(part, |upper| part * upper));
         }
     }

@@ -167,7 +167,10 @@ mod tests {
         let weight = 7850.0 * string.sections()[0].parts[0].area() * GRAVITY;
         for (inclination, weight_on_bit) in [(0.0, 0.0), (30.0, 0.0), (60.0, 1e5)] {
             let survey = well(&[[0.0, inclination], [1500.0, inclination]]);
-            let mud = Some(Mud { density: 1570.0 });
+            let mud = Some(Mud {
+                density: 1570.0,
+                viscosity: 0.0,
+            });
             let force = SideForce::new(&string, &survey, mud, PressedBy::WeightAndTension);
             let buoyed = weight * 0.8;
             let torques = force.friction_torques(10, weight_on_bit);

@@ -76,7 +76,10 @@ fn a_string_takes_over_the_channels_in_which_it_moves_as_before() {
             length: string().length(),
             radius: 0.2,
         }],
-        mud: Mud { density: 1200.0 },
+        mud: Mud {
+            density: 1200.0,
+            viscosity: 0.0,
+        },
     };
     assert_eq!(of(&string().in_hole(hole).unwrap()), [true, false]);
     let mut sections = string().sections().to_vec();

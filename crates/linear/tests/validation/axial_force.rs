@@ -14,7 +14,10 @@ use proptest::prelude::*;
 
 const GRAVITY: f64 = 9.806_65;
 
-const MUD: Mud = Mud { density: 1500.0 };
+const MUD: Mud = Mud {
+    density: 1500.0,
+    viscosity: 0.0,
+};
 
 const UNDAMPED: Bending = Bending {
     damping: 0.0,
@@ -54,7 +57,10 @@ fn val_without_stiffness_it_swings_as_a_chain() {
         youngs_modulus: 1e5,
         ..UNDAMPED
     };
-    let mud = Mud { density: 1200.0 };
+    let mud = Mud {
+        density: 1200.0,
+        viscosity: 0.0,
+    };
     let force = HangingString::new(&string, None, Some(mud)).axial_force(&limp, 0.0, 1e-3);
     let density = string.material().density;
     let buoyed = 1.0 - mud.density / density;

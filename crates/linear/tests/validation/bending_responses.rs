@@ -212,7 +212,10 @@ fn val_mud_is_more_mass_sideways_and_none_in_torsion() {
         sections: (sections.iter())
             .map(|&(length, radius)| linear::HoleSection { length, radius })
             .collect(),
-        mud: linear::Mud { density: mud },
+        mud: linear::Mud {
+            density: mud,
+            viscosity: 0.0,
+        },
     };
     let in_mud = string(7840.0).in_hole(filled(&[(400.0, hole)])).unwrap();
     // 0.1² of 0.155²: what moves around is 2.43 times what the tube displaces.

@@ -6,8 +6,8 @@ use linear::elements::newmark::Weights;
 use linear::elements::reduction::{CondensedBeam, CondensedString};
 use linear::method::FiniteElement;
 use linear::{
-    AxialForce, Bending, ChannelRequest, ChannelResponses, Drillstring, Method, Request, Responses,
-    Section, Sites, SteppedString, SurfaceSupport, TopDrive,
+    AxialForce, Bending, ChannelRequest, ChannelResponses, Drillstring, Hole, HoleSection, Method,
+    Mud, Request, Responses, Section, Sites, SteppedString, SurfaceSupport, TopDrive,
 };
 use problems::academic::{self, tube};
 use proptest::prelude::*;
@@ -332,6 +332,24 @@ proptest! {
     #[test]
     fn val_any_string_stepped_answers_as_its_taps_do(model in any_model()) {
         let worst = difference_when_stepped(&model);
+        prop_assert!(worst < 1e-7, "{worst}");
+    }
+
+    /// And any string with loss that fades, in a hole that is wider above.
+    #[test]
+    fn val_any_string_with_loss_stepped_answers_as_its_taps_do(
+        model in any_model(),
+        viscosity in prop_oneof![Just(0.0), 0.001..0.3f64],
+        loss_factor in prop_oneof![Just(0.0), 1e-4..0.05f64],
+    ) {
+        let length = model.string.length();
+        let wide = HoleSection { length: 0.3 * length, radius: 0.3 };
+        let narrow = HoleSection { length, radius: 0.2 };
+        let mud = Mud { density: 1200.0, viscosity };
+        let string = (model.string.clone().in_hole(Hole { sections: vec![wide, narrow], mud }))
+            .and_then(|string| string.with_loss_factor(loss_factor))
+            .unwrap();
+        let worst = difference_when_stepped(&Model { string, ..model });
         prop_assert!(worst < 1e-7, "{worst}");
     }
 }

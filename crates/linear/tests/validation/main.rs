@@ -7,6 +7,7 @@ mod elements;
 mod falling_torque;
 mod held;
 mod lengths;
+mod loss;
 mod natural_frequencies;
 mod quasi_static_twist;
 mod sampling;

@@ -620,7 +620,7 @@ proptest! {
         if let Some((part, above, below)) = hole {
             let section = |part: f64, radius| HoleSection { length: part * string.length(), radius };
             let sections = vec![section(part, above), section(1.0 - part, below)];
-            let mud = Mud { density: 1500.0 };
+            let mud = Mud { density: 1500.0, viscosity: 0.0 };
             string = string.in_hole(Hole { sections, mud }).unwrap();
         }
         let exact = NaturalFrequencies::bending(&string, &BENDING, support).unwrap();

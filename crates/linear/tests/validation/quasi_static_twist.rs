@@ -105,7 +105,10 @@ fn val_friction_in_pieces_is_off_by_the_estimate() {
     for number in 0..18 {
         let mut draw = Draw::new(number);
         let Well { string, survey } = Well::draw(number, &mut draw);
-        let mud = Some(Mud { density: 1200.0 });
+        let mud = Some(Mud {
+            density: 1200.0,
+            viscosity: 0.0,
+        });
         let force = SideForce::new(&string, &survey, mud, PressedBy::WeightAndTension);
         let weight = draw.uniform(0.0, 5e4);
         let (length, winding) = (string.length(), force.wound_up(weight));

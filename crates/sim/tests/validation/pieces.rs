@@ -24,7 +24,10 @@ impl Problem {
     fn draw(number: usize) -> Self {
         let mut draw = Draw::new(number);
         let Well { string, survey } = Well::draw(number, &mut draw);
-        let mud = Some(Mud { density: 1200.0 });
+        let mud = Some(Mud {
+            density: 1200.0,
+            viscosity: 0.0,
+        });
         let force = SideForce::new(&string, &survey, mud, PressedBy::WeightAndTension);
         Self {
             winding: force.wound_up(0.0),

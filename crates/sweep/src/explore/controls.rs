@@ -54,6 +54,8 @@ pub fn controls(sweep: &Sweep, case: &Case) -> Vec<Control> {
         Axis::StringFrictionRatio,
         Axis::StringFrictionSpeed,
         Axis::String(StringAxis::TorsionalDamping),
+        Axis::String(StringAxis::MudViscosity),
+        Axis::String(StringAxis::LossFactor),
         Axis::FRICTION,
         Axis::ImpulseRatio,
         Axis::String(StringAxis::ProportionalGain),
@@ -126,6 +128,8 @@ fn value_of(sweep: &Sweep, case: &Case, axis: Axis) -> Option<f64> {
         Axis::String(StringAxis::TorsionalDamping) => {
             Some(content.string.torsional_damping_nms_rad_m)
         }
+        Axis::String(StringAxis::MudViscosity) => Some(content.mud?.viscosity_cp),
+        Axis::String(StringAxis::LossFactor) => Some(content.string.loss_factor),
         Axis::String(StringAxis::ProportionalGain) => drive?.proportional_gain_knms_rad,
         Axis::String(StringAxis::IntegralGain) => drive?.integral_gain_knm_rad,
         Axis::String(StringAxis::DriveInertia) => {

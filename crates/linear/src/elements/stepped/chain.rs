@@ -10,17 +10,17 @@
 use std::ops::Range;
 
 use super::super::newmark::{Matrices, Weights};
+use super::blocks::{
+    Block, Blocks, Values, add, difference, inverse, product, subtract, subtract_transposed, times,
+    transposed,
+};
+use super::memory::{Memory, Remembered};
+use super::node::NodeMotion;
 use crate::error::BuildError;
 
 /// What a load accelerates by a smaller part than this of the most is left out: it is below
 /// rounding.
 const NEGLIGIBLE: f64 = 1e-18;
-
-/// Between the degrees of freedom of two nodes, row by row.
-type Block<const D: usize> = [[f64; D]; D];
-
-/// Of each degree of freedom of a node, a value in every plane.
-type Values<const D: usize, const P: usize> = [[f64; P]; D];
 
 /// The matrices at a node, and between it and the next one.
 #[derive(Debug, Clone)]
@@ -40,20 +40,15 @@ struct Link<const D: usize> {
 pub(super) struct Chain<const D: usize> {
     weights: Weights,
     links: Vec<Link<D>>,
+    /// Where loss has one.
+    memory: Option<Memory<D>>,
 }
 
 /// The motion of a chain in a number of planes, ready for the loads of a step.
 #[derive(Debug, Clone)]
 pub(super) struct ChainMotion<const D: usize, const P: usize> {
     nodes: Vec<NodeMotion<D, P>>,
-}
-
-/// Displacement and velocity as predicted, and acceleration.
-#[derive(Debug, Clone, Copy)]
-struct NodeMotion<const D: usize, const P: usize> {
-    displacement: Values<D, P>,
-    velocity: Values<D, P>,
-    acceleration: Values<D, P>,
+    remembered: Option<Remembered<D, P>>,
 }
 
 /// Accelerations of the nodes around a unit load.
@@ -88,6 +83,21 @@ impl<const D: usize> Chain<D> {
             damping[place / D][place % D] = *dashpot;
             effective.add(place, place, velocity_gain * dashpot);
         }
+        let memory = matrices.fading().map(|fading| {
+            let (memory, at_once) = Memory::new(fading, held, nodes, &weights);
+            for (place, dashpot) in at_once.dashpots.iter().enumerate() {
+                let place = place + held;
+                damping[place / D][place % D] += dashpot;
+                effective.add(place, place, velocity_gain * dashpot);
+            }
+            for entry in &fading.elastic {
+                let (row, column) = (entry.row + held, entry.col + held);
+                let value = at_once.stiffness * entry.val;
+                stiffness.add(row, column, value);
+                effective.add(row, column, displacement_gain * value);
+            }
+            memory
+        });
         // What is held has no force on it and is never accelerated.
         for place in 0..held {
             effective.add(place, place, 1.0);
@@ -110,12 +120,20 @@ impl<const D: usize> Chain<D> {
                 factor_below,
             });
         }
-        Ok(Self { weights, links })
+        Ok(Self {
+            weights,
+            links,
+            memory,
+        })
     }
 
-    /// Bytes of a number of nodes.
-    pub fn bytes(nodes: f64) -> f64 {
-        size_of::<Link<D>>() as f64 * nodes
+    /// Bytes of a number of nodes, with at most this number of relaxations of drag and of the material.
+    pub fn bytes(nodes: f64, relaxations: [usize; 2]) -> f64 {
+        let memory = match relaxations {
+            [0, 0] => 0.0,
+            some => Memory::<D>::bytes(nodes, some),
+        };
+        size_of::<Link<D>>() as f64 * nodes + memory
     }
 
     /// Bytes of a column that all of a number of nodes feel.
@@ -132,13 +150,21 @@ impl<const D: usize> Chain<D> {
         };
         ChainMotion {
             nodes: vec![still; self.links.len()],
+            remembered: self.memory.as_ref().map(Memory::rest),
         }
     }
 
     /// The next step, no load acting.
     pub fn advance<const P: usize>(&self, motion: &mut ChainMotion<D, P>) {
         let nodes = &mut motion.nodes[..self.links.len()];
-        if let Some(first) = nodes.first_mut() {
+        let remembers = match (&self.memory, &mut motion.remembered) {
+            (Some(memory), Some(remembered)) => {
+                memory.predict(remembered, nodes, &self.weights);
+                true
+            }
+            _ => false,
+        };
+        if let Some(first) = nodes.first_mut().filter(|_| !remembers) {
             first.predict(&self.weights);
         }
         // What the node above leaves on the right-hand side of the next.
@@ -147,8 +173,11 @@ impl<const D: usize> Chain<D> {
             let (above, below) = nodes.split_at_mut(index + 1);
             let node = &mut above[index];
             let mut force = carried;
+            add(&mut force, node.acceleration);
             if let Some(below) = below.first_mut() {
-                below.predict(&self.weights);
+                if !remembers {
+                    below.predict(&self.weights);
+                }
                 subtract_transposed(&mut force, &link.stiffness_below, &below.displacement);
             }
             for ((force, damping), velocity) in
@@ -209,9 +238,10 @@ fn felt<const D: usize>(values: &[Values<D, 1>]) -> Range<usize> {
 }
 
 impl<const D: usize, const P: usize> ChainMotion<D, P> {
-    /// Bytes of a number of nodes.
-    pub fn bytes(nodes: f64) -> f64 {
-        size_of::<NodeMotion<D, P>>() as f64 * nodes
+    /// Bytes of a number of nodes, with at most this number of relaxations of drag and of the material.
+    pub fn bytes(nodes: f64, relaxations: [usize; 2]) -> f64 {
+        let remembered = Remembered::<D, P>::bytes(nodes, relaxations);
+        size_of::<NodeMotion<D, P>>() as f64 * nodes + remembered
     }
 
     /// Adds what loads in every plane do to the step.
@@ -241,22 +271,6 @@ impl<const D: usize, const P: usize> ChainMotion<D, P> {
     }
 }
 
-impl<const D: usize, const P: usize> NodeMotion<D, P> {
-    #[inline(always)]
-    fn predict(&mut self, weights: &Weights) {
-        let step = weights.step;
-        let gain = (0.5 + weights.gamma) * step * step;
-        for freedom in 0..D {
-            for plane in 0..P {
-                let acceleration = self.acceleration[freedom][plane];
-                let velocity = self.velocity[freedom][plane];
-                self.displacement[freedom][plane] += step * velocity + gain * acceleration;
-                self.velocity[freedom][plane] = velocity + step * acceleration;
-            }
-        }
-    }
-}
-
 impl<const D: usize> Column<D> {
     /// The acceleration of the first degree of freedom of a node.
     pub fn at(&self, node: usize) -> f64 {
@@ -264,98 +278,4 @@ impl<const D: usize> Column<D> {
         let found = place.and_then(|place| self.accelerations.get(place));
         found.map_or(0.0, |accelerations| accelerations[0])
     }
-}
-
-/// A symmetric matrix by its nodes.
-struct Blocks<const D: usize> {
-    own: Vec<Block<D>>,
-    below: Vec<Block<D>>,
-}
-
-impl<const D: usize> Blocks<D> {
-    fn new(nodes: usize) -> Self {
-        Self {
-            own: vec![[[0.0; D]; D]; nodes],
-            below: vec![[[0.0; D]; D]; nodes],
-        }
-    }
-
-    /// Adds an entry; those above the diagonal blocks are their mirrors'.
-    fn add(&mut self, row: usize, column: usize, value: f64) {
-        let (node, other) = (row / D, column / D);
-        if node == other {
-            self.own[node][row % D][column % D] += value;
-        } else if node == other + 1 {
-            self.below[other][row % D][column % D] += value;
-        }
-    }
-}
-
-#[inline(always)]
-fn times<const D: usize, const P: usize>(block: &Block<D>, values: &Values<D, P>) -> Values<D, P> {
-    std::array::from_fn(|row| {
-        std::array::from_fn(|plane| (0..D).map(|it| block[row][it] * values[it][plane]).sum())
-    })
-}
-
-#[inline(always)]
-fn subtract<const D: usize, const P: usize>(
-    from: &mut Values<D, P>,
-    block: &Block<D>,
-    values: &Values<D, P>,
-) {
-    for (from, row) in from.iter_mut().zip(block) {
-        for (entry, values) in row.iter().zip(values) {
-            for (from, value) in from.iter_mut().zip(values) {
-                *from -= entry * value;
-            }
-        }
-    }
-}
-
-#[inline(always)]
-fn subtract_transposed<const D: usize, const P: usize>(
-    from: &mut Values<D, P>,
-    block: &Block<D>,
-    values: &Values<D, P>,
-) {
-    subtract(from, &transposed(*block), values);
-}
-
-#[inline(always)]
-fn transposed<const D: usize>(block: Block<D>) -> Block<D> {
-    std::array::from_fn(|row| std::array::from_fn(|column| block[column][row]))
-}
-
-fn difference<const D: usize>(one: Block<D>, other: Block<D>) -> Block<D> {
-    std::array::from_fn(|row| std::array::from_fn(|column| one[row][column] - other[row][column]))
-}
-
-fn product<const D: usize>(one: Block<D>, other: Block<D>) -> Block<D> {
-    times(&one, &other)
-}
-
-/// The inverse of a positive definite block, by elimination without exchange.
-fn inverse<const D: usize>(mut block: Block<D>) -> Option<Block<D>> {
-    let mut inverse: Block<D> = std::array::from_fn(|row| {
-        std::array::from_fn(|column| if row == column { 1.0 } else { 0.0 })
-    });
-    for pivot in 0..D {
-        let value = block[pivot][pivot];
-        if !(value > 0.0 && value.is_finite()) {
-            return None;
-        }
-        for matrix in [&mut block, &mut inverse] {
-            matrix[pivot] = matrix[pivot].map(|entry| entry / value);
-        }
-        for row in (0..D).filter(|row| *row != pivot) {
-            let factor = block[row][pivot];
-            for matrix in [&mut block, &mut inverse] {
-                for column in 0..D {
-                    matrix[row][column] -= factor * matrix[pivot][column];
-                }
-            }
-        }
-    }
-    Some(inverse)
 }

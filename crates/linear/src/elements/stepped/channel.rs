@@ -1,6 +1,8 @@
 //! A channel of a string that is stepped: loads at the sites in, motion of the sites out.
 
 use super::chain::{Chain, ChainMotion, Column};
+use crate::drillstring::Drillstring;
+use crate::elements::fading;
 use crate::elements::newmark::{Matrices, Weights};
 use crate::error::BuildError;
 
@@ -47,14 +49,17 @@ impl<const FREEDOMS: usize, const PLANES: usize> SteppedChannel<FREEDOMS, PLANES
         })
     }
 
-    /// Bytes of a number of nodes, with loads at a number of sites that all of them feel.
-    pub(crate) fn bytes(nodes: f64, sites: usize) -> f64 {
-        Chain::<FREEDOMS>::bytes(nodes) + sites as f64 * Chain::<FREEDOMS>::column_bytes(nodes)
+    /// Bytes of a number of nodes of a string, with loads at a number of sites that all of them
+    /// feel.
+    pub(crate) fn bytes(string: &Drillstring, nodes: f64, sites: usize) -> f64 {
+        let relaxations = fading::most(string.loss());
+        Chain::<FREEDOMS>::bytes(nodes, relaxations)
+            + sites as f64 * Chain::<FREEDOMS>::column_bytes(nodes)
     }
 
-    /// Bytes of the motion of a number of nodes.
-    pub(crate) fn motion_bytes(nodes: f64) -> f64 {
-        ChainMotion::<FREEDOMS, PLANES>::bytes(nodes)
+    /// Bytes of the motion of a number of nodes of a string.
+    pub(crate) fn motion_bytes(string: &Drillstring, nodes: f64) -> f64 {
+        ChainMotion::<FREEDOMS, PLANES>::bytes(nodes, fading::most(string.loss()))
     }
 
     /// Number of sites.

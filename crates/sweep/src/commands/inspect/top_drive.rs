@@ -135,8 +135,7 @@ impl<'a> DriveView<'a> {
         let Some(drive) = string.top_drive() else {
             return Ok(None);
         };
-        let (sections, damping) = (string.sections().to_vec(), string.torsional_damping());
-        let held = Drillstring::new(string.material(), sections, damping)?;
+        let held = string.clone().without_top_drive();
         Ok(Some(Self {
             string,
             drive,

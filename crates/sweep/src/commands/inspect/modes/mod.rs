@@ -3,6 +3,7 @@
 
 mod found;
 mod pictures;
+mod resonances;
 mod speeds;
 mod tables;
 mod words;
@@ -17,6 +18,7 @@ use campaign::plan::Sweep;
 use campaign::quantities::Units;
 use found::{Modes, find};
 use pictures::{campbell_picture, shape_picture};
+use resonances::InspectedResonances;
 use results::files::write_atomically;
 use speeds::Excitation;
 use tables::{CriticalSpeed, critical};
@@ -28,6 +30,7 @@ pub struct InspectedModes {
     excitation: Excitation,
     families: Vec<Modes>,
     critical_speeds: Vec<CriticalSpeed>,
+    bit_resonances: InspectedResonances,
     /// How many of each family are described in full.
     #[serde(skip)]
     count: usize,
@@ -57,6 +60,7 @@ impl InspectedModes {
         let shown = |name| folder.join(drawing.shown(name)).display().to_string();
         Ok(Self {
             critical_speeds: critical(&families, &excitation),
+            bit_resonances: InspectedResonances::find(sweep)?,
             excitation,
             families,
             count,
@@ -67,6 +71,7 @@ impl InspectedModes {
     /// In words and numbers.
     pub fn words(&self, units: Units) -> String {
         let mut text = words::describe(&self.families, &self.excitation, self.count, units);
+        text += &self.bit_resonances.words(units);
         let pictures = self.pictures.iter();
         text.extend(pictures.map(|path| format!("  picture: {path}\n")));
         text
