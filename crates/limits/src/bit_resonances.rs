@@ -44,15 +44,12 @@ pub struct BitResonance {
     pub grows_below_rpm: Option<f64>,
 }
 
-/// The resonances of the bit up to 1 kHz that grow most easily, a number of them at most, the
-/// one that bears least first.
+/// The resonances of the bit up to 1 kHz, from the slowest on.
 ///
 /// # Errors
 /// Where the string cannot be cut up.
-pub fn bit_resonances(sweep: &Sweep, most: usize) -> Result<Vec<BitResonance>, DrillstringError> {
-    let mut found = resonances(&sweep.setting.string, HIGHEST)?;
-    found.sort_by(|one, other| other.mobility.total_cmp(&one.mobility));
-    found.truncate(most);
+pub fn bit_resonances(sweep: &Sweep) -> Result<Vec<BitResonance>, DrillstringError> {
+    let found = resonances(&sweep.setting.string, HIGHEST)?;
     let describe = |resonance: Resonance| BitResonance {
         frequency_hz: resonance.frequency,
         mobility_rad_s_nm: resonance.mobility,

@@ -5,9 +5,12 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{
     stick_slip_speed_limit, torsional_impedance, torsional_travel_time, winding_stiffness,
 };
-use linear::falling_torque::steepest_fall;
+use linear::falling_torque::{resonances, steepest_fall};
 use linear::steady::{rotation, winding};
-use linear::{ChannelRequest, Drillstring, Method, Request, Responses, Sites, TopDrive};
+use linear::{
+    ChannelRequest, Drillstring, Hole, HoleSection, Method, Mud, Request, Responses, Sites,
+    TopDrive,
+};
 use problems::pipes;
 use problems::wells::{Draw, Well};
 use sim::{
@@ -239,9 +242,9 @@ fn val_cases_that_end_early_have_the_labels_of_those_that_do_not() {
     assert!(labels[1..].iter().all(|count| *count > 5), "{labels:?}");
 }
 
-/// The root mean square deviation of the bit's speed from the surface's, over a part of a motion
-/// that begins in smooth rotation with a disturbance too small to matter to its law.
-fn deviations(string: &Drillstring, frequency: f64, bit: BitTorque, speed: f64) -> [f64; 2] {
+/// The speed of the bit in a motion that begins in smooth rotation with a disturbance too small to
+/// matter to its law.
+fn disturbed(string: &Drillstring, frequency: f64, bit: BitTorque, speed: f64) -> Vec<f64> {
     const TRAVELS: f64 = 320.0;
     let travel = torsional_travel_time(string);
     let request = Request {
@@ -266,7 +269,12 @@ fn deviations(string: &Drillstring, frequency: f64, bit: BitTorque, speed: f64) 
     let mut motion = Trajectory::default();
     let simulator = Simulator::new(&responses).unwrap();
     (simulator.simulate(&scene, Stopping::Full, Some(&mut motion))).unwrap();
-    let speeds = &motion.speeds[0];
+    motion.speeds.swap_remove(0)
+}
+
+/// The root mean square deviation of a bit's speed from the surface's, in an early and in the last
+/// part of a motion.
+fn deviations(speeds: &[f64], speed: f64) -> [f64; 2] {
     let window = speeds.len() / 8;
     [3, 7].map(|place| {
         let part = &speeds[place * window..(place + 1) * window];
@@ -294,10 +302,61 @@ fn val_smooth_rotation_is_lost_below_its_limit_and_lasts_above() {
             decay_speed: drop / (of_lowest * draw.uniform(2.0, 6.0)),
         };
         let speed = 0.5 * bit.speed_of_fall(of_lowest).unwrap();
-        let [early, late] = deviations(&string, frequency, bit, speed);
+        let [early, late] = deviations(&disturbed(&string, frequency, bit, speed), speed);
         assert!(late > 1e-3, "{number}: {early:.2e} {late:.2e}");
         let speed = 1.4 * bit.speed_of_fall(of_all).unwrap();
-        let [early, late] = deviations(&string, frequency, bit, speed);
+        let [early, late] = deviations(&disturbed(&string, frequency, bit, speed), speed);
         assert!(late < 0.5 * early, "{number}: {early:.2e} {late:.2e}");
+    }
+}
+
+/// In mud, and of a material with loss: below the speed of the resonance that bears least vibration
+/// grows at its frequency, and above that speed all of it dies away. So high-frequency torsional
+/// oscillation is that of the linear criterion.
+#[test]
+fn val_with_loss_vibration_grows_at_the_resonance_that_bears_least() {
+    for number in 0..8 {
+        let mut draw = Draw::new(number);
+        let plain = Well::draw(number, &mut draw).string;
+        let tubes = plain.sections().iter().flat_map(|section| &section.parts);
+        let widest = tubes.map(|tube| tube.outer_radius);
+        let section = HoleSection {
+            length: plain.length(),
+            radius: 1.3 * widest.fold(0.0, f64::max),
+        };
+        let mud = Mud {
+            density: 1300.0,
+            viscosity: draw.uniform(0.01, 0.05),
+        };
+        let sections = vec![section];
+        let string = (plain.in_hole(Hole { sections, mud }))
+            .and_then(|string| string.with_loss_factor(draw.uniform(1e-3, 5e-3)))
+            .unwrap();
+        let resonances = resonances(&string, 1000.0).unwrap().into_iter();
+        let least = resonances
+            .max_by(|one, other| one.mobility.total_cmp(&other.mobility))
+            .unwrap();
+        let travel = torsional_travel_time(&string);
+        let frequency = (24.0 * least.frequency).max(256.0 / travel);
+        let drop = 4000.0 * draw.uniform(0.1, 0.5);
+        let bit = BitTorque {
+            torque_static: 4000.0 + drop,
+            torque_dynamic: 4000.0,
+            decay_speed: drop / (3.0 * least.steepest_fall()),
+        };
+        let limit = bit.speed_of_fall(least.steepest_fall()).unwrap();
+        let speed = 1.15 * limit;
+        let [early, late] = deviations(&disturbed(&string, frequency, bit, speed), speed);
+        assert!(late < 0.5 * early, "{number}: {early:.2e} {late:.2e}");
+        let speed = 0.9 * limit;
+        let speeds = disturbed(&string, frequency, bit, speed);
+        let [early, late] = deviations(&speeds, speed);
+        assert!(late > 2.0 * early, "{number}: {early:.2e} {late:.2e}");
+        let window = &speeds[7 * speeds.len() / 8..];
+        let mean = window.iter().sum::<f64>() / window.len() as f64;
+        let upward = (window.windows(2)).filter(|ends| ends[0] < mean && ends[1] >= mean);
+        let found = upward.count() as f64 * frequency / window.len() as f64;
+        let off = (found / least.frequency - 1.0).abs();
+        assert!(off < 0.1, "{number}: {found} Hz, {} Hz", least.frequency);
     }
 }

@@ -18,7 +18,7 @@ use campaign::plan::Sweep;
 use campaign::quantities::Units;
 use found::{Modes, find};
 use pictures::{campbell_picture, shape_picture};
-use resonances::InspectedResonances;
+use resonances::{InspectedResonances, Resonances};
 use results::files::write_atomically;
 use speeds::Excitation;
 use tables::{CriticalSpeed, critical};
@@ -57,14 +57,22 @@ impl InspectedModes {
         drawing.save(folder, "campbell", &campbell)?;
         let shapes = shape_picture(look, &sweep.title, &families, units);
         drawing.save(folder, "mode_shapes", &shapes)?;
+        let resonances = Resonances::find(sweep)?;
+        let mut pictures = vec!["campbell", "mode_shapes"];
+        if resonances.are_there() {
+            resonances.write(folder)?;
+            let picture = resonances.picture(look, &sweep.title, units);
+            drawing.save(folder, "bit_resonances", &picture)?;
+            pictures.push("bit_resonances");
+        }
         let shown = |name| folder.join(drawing.shown(name)).display().to_string();
         Ok(Self {
             critical_speeds: critical(&families, &excitation),
-            bit_resonances: InspectedResonances::find(sweep)?,
+            bit_resonances: resonances.most_easily_fed(),
             excitation,
             families,
             count,
-            pictures: ["campbell", "mode_shapes"].map(shown).to_vec(),
+            pictures: pictures.into_iter().map(shown).collect(),
         })
     }
 

@@ -1,42 +1,124 @@
-//! High-frequency torsional oscillation: which resonance of the bit a falling torque feeds most
-//! easily, and from which speed on.
+//! High-frequency torsional oscillation: which resonances of the bit a falling torque feeds, and from
+//! which speed on.
+
+use std::path::Path;
 
 use anyhow::Result;
 use serde::Serialize;
 
+use crate::commands::csv_table::csv_table;
 use campaign::plan::Sweep;
 use campaign::quantities::{TORQUE, Unit, Units};
 use campaign::words::wrapped;
 use limits::{BitResonance, bit_resonances};
+use plot::{Axis, Look, Panel, Picture, Series, panels};
+use results::files::write_atomically;
 
 /// How many are described.
-const MOST: usize = 5;
+const DESCRIBED: usize = 5;
 
-/// The resonances that grow most easily.
+/// The resonances of the bit.
+pub struct Resonances {
+    /// From the slowest on; none of a string without a bit.
+    all: Vec<BitResonance>,
+}
+
+/// Those that grow most easily, the one that bears least first.
 #[derive(Serialize)]
 #[serde(transparent)]
 pub struct InspectedResonances(Vec<BitResonance>);
 
-impl InspectedResonances {
-    /// Those of a string with a bit; none without one.
+impl Resonances {
+    /// Those of a string with a bit.
     ///
     /// # Errors
     /// Where the string cannot be cut up.
     pub fn find(sweep: &Sweep) -> Result<Self> {
-        let found = match sweep.bit {
-            Some(_) => bit_resonances(sweep, MOST)?,
+        let all = match sweep.bit {
+            Some(_) => bit_resonances(sweep)?,
             None => Vec::new(),
         };
-        Ok(Self(found))
+        Ok(Self { all })
     }
 
+    /// Whether there is a bit that they are of.
+    pub fn are_there(&self) -> bool {
+        !self.all.is_empty()
+    }
+
+    /// Writes the table of all of them.
+    ///
+    /// # Errors
+    /// Where the file cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<()> {
+        let rows = self.all.iter().map(|it| {
+            let speed = it.grows_below_rpm.map(|speed| speed.to_string());
+            [
+                ("frequency_hz", it.frequency_hz.to_string()),
+                ("mobility_rad_s_nm", it.mobility_rad_s_nm.to_string()),
+                (
+                    "steepest_fall_nms_rad",
+                    it.steepest_fall_nms_rad.to_string(),
+                ),
+                ("grows_below_rpm", speed.unwrap_or_default()),
+            ]
+        });
+        write_atomically(&folder.join("bit_resonances.csv"), &csv_table(rows)?)
+    }
+
+    /// The fall of torque that each bears and, where the torque falls, the speed below which it grows.
+    pub fn picture(&self, look: &Look, title: &str, units: Units) -> Picture {
+        let fall = fall_unit(units);
+        let frequency = || Axis::logarithmic("Frequency f (Hz)");
+        let panel = |axis: Axis, name: &str, points: Vec<(f64, f64)>| Panel {
+            axes: [frequency(), axis],
+            series: vec![Series::new(name, points)],
+            references: Vec::new(),
+            walls: Vec::new(),
+            is_difference: false,
+        };
+        let bears = self.all.iter();
+        let bears = bears.map(|it| (it.frequency_hz, fall.number(it.steepest_fall_nms_rad)));
+        let grows = self.all.iter();
+        let grows: Vec<_> = grows
+            .filter_map(|it| Some((it.frequency_hz, it.grows_below_rpm?)))
+            .collect();
+        let mut shown = vec![panel(
+            Axis::logarithmic(format!("Fall borne ({})", fall.name)),
+            "fall of torque with speed that each resonance bears",
+            bears.collect(),
+        )];
+        if !grows.is_empty() {
+            shown.push(panel(
+                Axis::linear("Grows below (rpm)"),
+                "speed of the bit below which it grows",
+                grows,
+            ));
+        }
+        let title = format!("{title}: resonances of the bit");
+        panels(look, &title, &shown)
+    }
+
+    /// A few of them, for words and documents.
+    pub fn most_easily_fed(mut self) -> InspectedResonances {
+        (self.all).sort_by(|one, other| other.mobility_rad_s_nm.total_cmp(&one.mobility_rad_s_nm));
+        self.all.truncate(DESCRIBED);
+        InspectedResonances(self.all)
+    }
+}
+
+/// Of torque per rotation speed.
+fn fall_unit(units: Units) -> Unit {
+    units.of(&TORQUE).per(&Unit::unchanged("rad/s"))
+}
+
+impl InspectedResonances {
     /// In words and numbers.
     pub fn words(&self, units: Units) -> String {
         if self.0.is_empty() {
             return String::new();
         }
-        let torque = units.of(&TORQUE);
-        let fall = torque.per(&Unit::unchanged("rad/s"));
+        let fall = fall_unit(units);
         let line = |it: &BitResonance| {
             let bears = fall.text(it.steepest_fall_nms_rad, 1);
             let grows = match it.grows_below_rpm {
@@ -46,12 +128,8 @@ impl InspectedResonances {
             format!("    {:>8.2} Hz   {bears:<26}{grows}\n", it.frequency_hz)
         };
         let lines: String = self.0.iter().map(line).collect();
-        let title = wrapped(
-            "high-frequency torsional oscillation: resonances of the bit up to 1 kHz, by the fall of \
-             its torque with speed that each bears",
-            2,
-            4,
-        );
-        title + &lines
+        let title = "high-frequency torsional oscillation: the resonances of the bit up to 1 kHz that \
+                     bear the least fall of its torque with speed";
+        wrapped(title, 2, 4) + &lines
     }
 }
