@@ -66,37 +66,38 @@ impl Resonances {
         write_atomically(&folder.join("bit_resonances.csv"), &csv_table(rows)?)
     }
 
-    /// The fall of torque that each bears and, where the torque falls, the speed below which it grows.
+    /// The mobility of each and, where the torque falls, the speed below which it grows.
     pub fn picture(&self, look: &Look, title: &str, units: Units) -> Picture {
-        let fall = fall_unit(units);
-        let frequency = || Axis::logarithmic("Frequency f (Hz)");
-        let panel = |axis: Axis, name: &str, points: Vec<(f64, f64)>| Panel {
-            axes: [frequency(), axis],
-            series: vec![Series::new(name, points)],
+        let mobility = Unit::unchanged("rad/s").per(&units.of(&TORQUE));
+        let panel = |axis: String, name: &str, points: Vec<(f64, f64)>| Panel {
+            axes: [Axis::logarithmic("Frequency f (Hz)"), Axis::linear(axis)],
+            series: vec![Series::new(
+                name,
+                points.into_iter().flat_map(stem).collect(),
+            )],
             references: Vec::new(),
             walls: Vec::new(),
             is_difference: false,
         };
-        let bears = self.all.iter();
-        let bears = bears.map(|it| (it.frequency_hz, fall.number(it.steepest_fall_nms_rad)));
+        let mobile = self.all.iter();
+        let mobile = mobile.map(|it| (it.frequency_hz, mobility.number(it.mobility_rad_s_nm)));
+        let mut shown = vec![panel(
+            format!("Mobility ({})", mobility.name),
+            "speed of the bit per torque on it, at each resonance",
+            mobile.collect(),
+        )];
         let grows = self.all.iter();
         let grows: Vec<_> = grows
             .filter_map(|it| Some((it.frequency_hz, it.grows_below_rpm?)))
             .collect();
-        let mut shown = vec![panel(
-            Axis::logarithmic(format!("Fall borne ({})", fall.name)),
-            "fall of torque with speed that each resonance bears",
-            bears.collect(),
-        )];
         if !grows.is_empty() {
             shown.push(panel(
-                Axis::linear("Grows below (rpm)"),
+                "Grows below (rpm)".to_owned(),
                 "speed of the bit below which it grows",
                 grows,
             ));
         }
-        let title = format!("{title}: resonances of the bit");
-        panels(look, &title, &shown)
+        panels(look, &format!("{title}: resonances of the bit"), &shown)
     }
 
     /// A few of them, for words and documents.
@@ -105,6 +106,11 @@ impl Resonances {
         self.all.truncate(DESCRIBED);
         InspectedResonances(self.all)
     }
+}
+
+/// A line up from the frequency axis and down again: nothing is known between resonances.
+fn stem((frequency, value): (f64, f64)) -> [(f64, f64); 3] {
+    [(frequency, 0.0), (frequency, value), (frequency, 0.0)]
 }
 
 /// Of torque per rotation speed.
@@ -123,9 +129,9 @@ impl InspectedResonances {
             let bears = fall.text(it.steepest_fall_nms_rad, 1);
             let grows = match it.grows_below_rpm {
                 Some(speed) => format!("grows below {speed:.0} rpm"),
-                None => "never grows under the torque of this file".to_owned(),
+                None => "does not grow by this torque".to_owned(),
             };
-            format!("    {:>8.2} Hz   {bears:<26}{grows}\n", it.frequency_hz)
+            format!("    {:>8.2} Hz   {bears:<24}{grows}\n", it.frequency_hz)
         };
         let lines: String = self.0.iter().map(line).collect();
         let title = "high-frequency torsional oscillation: the resonances of the bit up to 1 kHz that \
