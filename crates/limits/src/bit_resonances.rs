@@ -3,31 +3,14 @@
 //! the linear criterion −T′(Ω)·Re g(f) > 1 says whether it grows, with T the torque on the bit and g
 //! the response of its speed; so each has a speed below which it does.
 
-use linear::estimates::torsional_travel_time;
-use linear::falling_torque::{Resonance, resonances};
-use linear::{Drillstring, DrillstringError};
+use linear::DrillstringError;
+use linear::falling_torque::{HIGHEST_FREQUENCY, Resonance, resonances};
 use serde::Serialize;
 
 use crate::axes::range_of_axis;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::records::to_rpm;
-
-/// Modes of a uniform string of the same travel time that smooth rotation is to be free of, where
-/// loss does not depend on frequency. What collars do by themselves, at tens of hertz, mud and
-/// steel damp more than `torsional_damping` says.
-const SLOW_MODES: f64 = 24.0;
-
-/// Of a string whose loss does, all modes up to this, Hz.
-const HIGHEST: f64 = 1000.0;
-
-/// Up to which frequency (Hz) vibration counts for the limit of smooth rotation.
-pub(crate) fn highest_frequency(string: &Drillstring) -> f64 {
-    if string.loss().has_memory() {
-        return HIGHEST;
-    }
-    0.5 * SLOW_MODES / torsional_travel_time(string)
-}
 
 /// A resonance of the bit, and the speed below which it grows.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -49,7 +32,7 @@ pub struct BitResonance {
 /// # Errors
 /// Where the string cannot be cut up.
 pub fn bit_resonances(sweep: &Sweep) -> Result<Vec<BitResonance>, DrillstringError> {
-    let found = resonances(&sweep.setting.string, HIGHEST)?;
+    let found = resonances(&sweep.setting.string, HIGHEST_FREQUENCY)?;
     let describe = |resonance: Resonance| BitResonance {
         frequency_hz: resonance.frequency,
         mobility_rad_s_nm: resonance.mobility,

@@ -8,11 +8,10 @@ use anyhow::{Context, Result};
 use linear::DrillstringError;
 use linear::deviation::exact_undershoot;
 use linear::estimates::largest_undershoot;
-use linear::falling_torque::steepest_fall;
+use linear::falling_torque::{highest_frequency, steepest_fall};
 use serde::Deserialize;
 
 use crate::axes::{position, range_of_axis};
-use crate::bit_resonances::highest_frequency;
 use crate::many_sites_limit::many_sites_limit;
 use crate::sliding_together::sliding_together;
 use crate::whirl_limit::{WhirlPoint, whirl_limit};

@@ -40,6 +40,22 @@ const PER_MODE: f64 = 12.0;
 /// Halvings of the bracket of a frequency.
 const HALVINGS: usize = 60;
 
+/// Modes of a uniform string of the same travel time that count, where loss does not depend on
+/// frequency. What collars do by themselves, at tens of hertz, mud and steel damp more than
+/// `torsional_damping` says.
+const SLOW_MODES: f64 = 24.0;
+
+/// Of a string whose loss does, all modes up to this, Hz.
+pub const HIGHEST_FREQUENCY: f64 = 1000.0;
+
+/// Up to which frequency (Hz) vibration of a string counts: as far as its loss is known.
+pub fn highest_frequency(string: &Drillstring) -> f64 {
+    if string.loss().has_memory() {
+        return HIGHEST_FREQUENCY;
+    }
+    0.5 * SLOW_MODES / torsional_travel_time(string)
+}
+
 /// A vibration that a torque which falls with the bit's speed can feed: at its frequency the bit's
 /// speed is in phase with a torque on it.
 #[derive(Debug, Clone, Copy, PartialEq)]

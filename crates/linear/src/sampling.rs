@@ -29,11 +29,12 @@ mod merged;
 
 use crate::deviation::train_at_bit;
 use crate::drillstring::Drillstring;
-use crate::error::BuildError;
+use crate::error::{BuildError, DrillstringError};
 use crate::estimates::{
     largest_response, largest_undershoot, torsional_travel_time, torsional_wave_left,
     torsional_wave_survives_to,
 };
+use crate::falling_torque::{highest_frequency, resonances};
 use crate::filters::held;
 
 pub use merged::merged;
@@ -57,6 +58,10 @@ const LEAST_LEFT: f64 = 0.03;
 
 /// Steps in a period of that.
 const STEPS_PER_PERIOD: f64 = 8.0;
+
+/// Steps in a period of vibration that a falling torque feeds: whether it grows is right to a
+/// percent of the fall then.
+const STEPS_PER_GROWING_PERIOD: f64 = 20.0;
 
 /// An undershoot that is less than this part of the largest speed after the same step of torque is
 /// small, as below a drive that lets waves out: it need not be known better than as a part of that.
@@ -137,6 +142,23 @@ pub fn steps_at(string: &Drillstring, frequency: f64) -> f64 {
 /// As [`Steps::for_fronts`].
 pub fn frequency_for_fronts(string: &Drillstring) -> Result<f64, BuildError> {
     Ok(frequency(string, Steps::for_fronts(string)?.per_travel))
+}
+
+/// The sampling frequency (Hz) that follows the vibration which a torque feeds that falls with the
+/// bit's speed by `fall`, N m s/rad: the least for all [`resonances`] that grow. 0 where none does.
+///
+/// # Errors
+/// Where the string cannot be cut up.
+pub fn frequency_for_growth(string: &Drillstring, fall: f64) -> Result<f64, DrillstringError> {
+    if fall == 0.0 {
+        return Ok(0.0);
+    }
+    let found = resonances(string, highest_frequency(string))?.into_iter();
+    let growing = found.filter(|resonance| resonance.steepest_fall() < fall);
+    let fastest = growing
+        .map(|resonance| resonance.frequency)
+        .reduce(f64::max);
+    Ok(STEPS_PER_GROWING_PERIOD * fastest.unwrap_or_default())
 }
 
 #[cfg(test)]

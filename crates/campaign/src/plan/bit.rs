@@ -5,6 +5,7 @@ use sim::{BitTorque, Rock};
 use thiserror::Error;
 
 use super::conditions::Conditions;
+use crate::design::Design;
 use crate::quantities::RPM;
 use crate::quantities::{Axis, RockConstant};
 use crate::sweep_file::{BitTable, LawTable, RockName, Source, SweepFileError};
@@ -66,6 +67,39 @@ impl Bit {
             None => rock.torque_dynamic(1e3 * weight),
         };
         torque.map(Some).map_err(TorqueError::Rock)
+    }
+}
+
+/// A bit and all conditions under which it turns.
+#[derive(Clone, Copy)]
+pub(super) struct Cut<'a> {
+    pub bit: &'a Bit,
+    pub conditions: &'a Conditions,
+    pub design: &'a Design,
+}
+
+impl Cut<'_> {
+    /// By how much the torque falls at most with speed about the steady rotation of any case,
+    /// N m s/rad.
+    pub fn steepest_fall(&self) -> f64 {
+        let never = self.conditions.torque_decay_rpm.unwrap_or_default() == 0.0;
+        if never && !self.design.axes().contains(&Axis::TorqueDecay) {
+            return 0.0;
+        }
+        let cases = (0..self.design.cases()).filter_map(|case| self.fall_of(case));
+        cases.fold(0.0, f64::max)
+    }
+
+    /// That of a case; none where the rock gives no torque.
+    fn fall_of(&self, case: usize) -> Option<f64> {
+        let values = self.design.values(case);
+        let conditions = self.conditions.along(self.design.axes(), &values);
+        let torque = self.bit.torque_dynamic(&conditions).ok()??;
+        Some(
+            conditions
+                .torques(torque)
+                .fall_at(conditions.surface_speed()?),
+        )
     }
 }
 

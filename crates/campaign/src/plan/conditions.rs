@@ -74,6 +74,14 @@ impl Conditions {
         changed
     }
 
+    /// These conditions with the given values along axes.
+    pub fn along(&self, axes: &[Axis], values: &[f64]) -> Self {
+        let axes = axes.iter().zip(values);
+        axes.fold(self.clone(), |conditions, (&axis, &value)| {
+            conditions.with(axis, value)
+        })
+    }
+
     /// The value along an axis, where it is known.
     pub fn value(&self, axis: Axis) -> Option<f64> {
         match axis {

@@ -6,8 +6,9 @@
 
 use linear::Drillstring;
 use linear::estimates::torsional_travel_time;
-use linear::sampling::{self, FEWEST_STEPS, Steps};
+use linear::sampling::{self, FEWEST_STEPS, Steps, frequency_for_growth};
 
+use super::bit::Cut;
 use super::impulses::ImpulseSettings;
 use super::lateral::LateralSettings;
 use super::string_friction::StringFriction;
@@ -35,8 +36,8 @@ const LEAST_STEPS: f64 = 2.0;
 
 /// What a scene has that needs samples.
 pub(super) struct Needs<'a> {
-    /// Whether a torque acts on the bit.
-    pub cuts: bool,
+    /// The bit, where a torque acts on it.
+    pub cut: Option<Cut<'a>>,
     pub lateral: Option<&'a LateralSettings>,
     pub friction: Option<&'a StringFriction>,
 }
@@ -73,35 +74,43 @@ fn steps(string: &Drillstring, needs: &Needs) -> f64 {
         let of_impulse = SAMPLES_OF_IMPULSE / shortest.fold(f64::INFINITY, f64::min);
         sampling::steps_at(string, WITH_WALL.max(of_impulse))
     });
-    if let Some(friction) = needs.friction {
-        let of_pieces = STEPS_WITH_FRICTION.max(STEPS_OF_PIECE * friction.pieces() as f64);
-        return of_pieces.max(of_wall.unwrap_or_default());
-    }
-    if needs.cuts {
+    let of_growth = needs.cut.map(|cut| {
+        // A string that cannot be cut up is refused where it is built.
+        let frequency = frequency_for_growth(string, cut.steepest_fall()).unwrap_or_default();
+        sampling::steps_at(string, frequency)
+    });
+    let of_fronts = match (needs.friction, needs.cut) {
+        (Some(friction), _) => {
+            Some(STEPS_WITH_FRICTION.max(STEPS_OF_PIECE * friction.pieces() as f64))
+        }
         // A string whose lattice does not fit in memory damps its fronts away.
-        let of_fronts = Steps::for_fronts(string).map_or(FEWEST_STEPS, |steps| steps.per_travel);
-        return of_fronts.max(of_wall.unwrap_or_default());
-    }
-    of_wall.unwrap_or(FEWEST_STEPS)
+        (None, Some(_)) => {
+            Some(Steps::for_fronts(string).map_or(FEWEST_STEPS, |steps| steps.per_travel))
+        }
+        (None, None) => None,
+    };
+    let all = [of_wall, of_growth, of_fronts].into_iter().flatten();
+    all.reduce(f64::max).unwrap_or(FEWEST_STEPS)
 }
 
-/// Refuses a frequency at which nothing is felt of an impulse, or of a wave on its way.
+/// Refuses a frequency at which nothing is felt of an impulse, or of a wave on its way where
+/// something `twists` the string.
 ///
 /// # Errors
 /// With the key that is to blame.
 pub(super) fn check(
     source: &Source,
-    string: &Drillstring,
-    needs: &Needs,
+    (string, lateral): (&Drillstring, Option<&LateralSettings>),
+    twists: bool,
     frequency: f64,
 ) -> Result<(), SweepFileError> {
-    let impulses = needs.lateral.iter().flat_map(|lateral| &lateral.impulses);
+    let impulses = lateral.iter().flat_map(|lateral| &lateral.impulses);
     for (index, ImpulseSettings { duration, .. }) in impulses.enumerate() {
         let message = format!("{duration} s is shorter than two samples at {frequency} Hz");
         let is_short = duration * frequency < LEAST_SAMPLES_OF_IMPULSE;
         source.refuse_if(is_short, &format!("impulses[{index}].duration_s"), message)?;
     }
-    if !needs.cuts && needs.friction.is_none() {
+    if !twists {
         return Ok(());
     }
     let travel = torsional_travel_time(string);

@@ -8,6 +8,7 @@ use linear::{Drillstring, Sites};
 use sim::SurfaceProfile;
 
 use super::axial_force::Hanging;
+use super::bit::{Bit, Cut};
 use super::conditions::Conditions;
 use super::contacts::StringInHole;
 use super::data::Data;
@@ -24,6 +25,27 @@ const ROUND_TRIPS_SHOWN: f64 = 5.0;
 /// What was recorded is known for this time after the last step of a case, s: its acceleration is
 /// taken around that.
 const AFTER_THE_LAST: f64 = 1.0;
+
+/// What a setting depends on besides its string.
+#[derive(Clone, Copy)]
+pub(super) struct Circumstances<'a> {
+    pub data: &'a Data,
+    pub bit: Option<&'a Bit>,
+    pub conditions: &'a Conditions,
+    pub design: &'a Design,
+}
+
+impl<'a> Circumstances<'a> {
+    /// The bit with all conditions under which it turns.
+    fn cut(&self) -> Option<Cut<'a>> {
+        let (conditions, design) = (self.conditions, self.design);
+        self.bit.map(|bit| Cut {
+            bit,
+            conditions,
+            design,
+        })
+    }
+}
 
 /// A string, ready to be built.
 #[derive(Debug, Clone)]
@@ -88,11 +110,15 @@ impl Setting {
     pub(super) fn resolve(
         source: &Source,
         content: &FileContent,
-        data: &Data,
-        conditions: &Conditions,
-        design: &Design,
+        circumstances: &Circumstances,
         (found, counted): (&[f64], Option<f64>),
     ) -> Result<Self, SweepFileError> {
+        let &Circumstances {
+            data,
+            conditions,
+            design,
+            ..
+        } = circumstances;
         let string = string::resolve(source, content)?;
         let (string, mud, hole) = hole::resolve(source, content, string)?;
         let (string, rotor_inertia) = top_drive::resolve(source, content, string)?;
@@ -140,9 +166,8 @@ impl Setting {
             &string,
             &sites,
         )?;
-        let cuts = content.bit.is_some();
         let needs = sampling::Needs {
-            cuts,
+            cut: circumstances.cut(),
             lateral: lateral.as_ref(),
             friction: friction.as_ref(),
         };
@@ -162,7 +187,7 @@ impl Setting {
         };
         // For an accuracy another frequency is chosen.
         if content.accuracy.is_none() {
-            setting.check_sampling(source, cuts)?;
+            setting.check_sampling(source, content.bit.is_some())?;
         }
         Ok(setting)
     }
@@ -172,23 +197,19 @@ impl Setting {
     pub(super) fn check_sampling(&self, source: &Source, cuts: bool) -> Result<(), SweepFileError> {
         sampling::check(
             source,
-            &self.string,
-            &self.needs(cuts),
+            (&self.string, self.lateral.as_ref()),
+            cuts || self.friction.is_some(),
             self.sampling_frequency,
         )
     }
 
-    /// The sampling frequency, Hz, of a file that does not give one; `cuts` says whether a torque
-    /// acts on the bit.
-    pub fn frequency_by_rule(&self, cuts: bool) -> f64 {
-        sampling::by_rule(&self.string, &self.needs(cuts))
-    }
-
-    fn needs(&self, cuts: bool) -> sampling::Needs<'_> {
-        sampling::Needs {
-            cuts,
+    /// The sampling frequency, Hz, of a file that does not give one.
+    pub(super) fn frequency_by_rule(&self, circumstances: &Circumstances) -> f64 {
+        let needs = sampling::Needs {
+            cut: circumstances.cut(),
             lateral: self.lateral.as_ref(),
             friction: self.friction.as_ref(),
-        }
+        };
+        sampling::by_rule(&self.string, &needs)
     }
 }

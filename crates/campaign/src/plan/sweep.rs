@@ -12,7 +12,7 @@ use super::conditions::{self, Conditions};
 use super::data::Data;
 use super::map::{self, MapSettings};
 use super::methods;
-use super::setting::Setting;
+use super::setting::{Circumstances, Setting};
 use super::start::{self, Starts};
 use super::string;
 use super::texts;
@@ -129,8 +129,13 @@ impl Sweep {
             }
             (time, _) => time,
         };
-        let setting =
-            Setting::resolve(&source, &content, &data, &conditions, &design, (&[], None))?;
+        let circumstances = Circumstances {
+            data: &data,
+            bit: bit.as_ref(),
+            conditions: &conditions,
+            design: &design,
+        };
+        let setting = Setting::resolve(&source, &content, &circumstances, (&[], None))?;
         if let (Some(table), Some(friction)) = (&mut content.string_friction, &setting.friction) {
             // However it was found.
             table.pieces = friction.pieces();
@@ -199,12 +204,23 @@ impl Sweep {
         })
     }
 
+    fn circumstances(&self) -> Circumstances<'_> {
+        Circumstances {
+            data: &self.data,
+            bit: self.bit.as_ref(),
+            conditions: &self.conditions,
+            design: &self.design,
+        }
+    }
+
+    /// The sampling frequency (Hz) without one in the file.
+    pub fn frequency_by_rule(&self) -> f64 {
+        self.setting.frequency_by_rule(&self.circumstances())
+    }
+
     /// The conditions of a case with the given values along the design's axes.
     pub fn conditions_at(&self, values: &[f64]) -> Conditions {
-        let axes = self.design.axes().iter().zip(values);
-        axes.fold(self.conditions.clone(), |conditions, (&axis, &value)| {
-            conditions.with(axis, value)
-        })
+        self.conditions.along(self.design.axes(), values)
     }
 
     /// The setting of a case with the given values along the design's axes.
@@ -281,9 +297,12 @@ impl Sweep {
         found: &[f64],
     ) -> Result<Setting, SweepFileError> {
         let (content, conditions) = self.changed(&changed)?;
-        let (source, data, design) = (&self.source, &self.data, &self.design);
+        let circumstances = Circumstances {
+            conditions: &conditions,
+            ..self.circumstances()
+        };
         let place = (found, self.setting.steps_per_travel);
-        let setting = Setting::resolve(source, &content, data, &conditions, design, place)?;
+        let setting = Setting::resolve(&self.source, &content, &circumstances, place)?;
         Ok(Setting { changed, ..setting })
     }
 
@@ -325,9 +344,13 @@ impl Sweep {
             (wall.sites_every_m, wall.sites_to_m) = (None, None);
             (wall.sites_tolerance_mm, wall.sites_rounds) = (None, None);
         }
-        let one = Design::one_case();
+        let circumstances = Circumstances {
+            conditions: &conditions,
+            design: &Design::one_case(),
+            ..self.circumstances()
+        };
         let place: (&[f64], _) = (&[], self.setting.steps_per_travel);
-        Setting::resolve(&self.source, &content, &self.data, &conditions, &one, place)
+        Setting::resolve(&self.source, &content, &circumstances, place)
     }
 
     /// The setting of a case with the given values along the design's axes, sampled

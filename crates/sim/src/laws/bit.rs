@@ -112,6 +112,11 @@ impl BitTorque {
         self.curve().at(speed)
     }
 
+    /// By how much the torque falls with speed where a bit turns at one (rad/s), N m s/rad.
+    pub fn fall_at(&self, speed: f64) -> f64 {
+        self.curve().fall(speed)
+    }
+
     /// The speed (rad/s) above which the torque falls less steeply with it than by `slope`,
     /// N m s/rad; none where it does at every speed.
     pub fn speed_of_fall(&self, slope: f64) -> Option<f64> {

@@ -39,7 +39,7 @@ fn frequency(sweep: &Sweep) -> Option<String> {
     let AutoOr::Given(given) = sweep.content.sampling_frequency_hz else {
         return None;
     };
-    let by_rule = sweep.setting.frequency_by_rule(sweep.bit.is_some());
+    let by_rule = sweep.frequency_by_rule();
     (given > FEWER * by_rule).then(|| {
         format!(
             "without `sampling_frequency_hz` it is {} Hz, by rule: {:.1} times fewer steps",
