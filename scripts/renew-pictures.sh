@@ -46,7 +46,8 @@ keep well_b history
 "$sweep" inspect sweeps/well_12in.toml --modes --out "$folder/well_12in"
 keep well_12in campbell
 
-for figure in fig09 fig09_certified fig14 fig17 fig17_trace well_12in well_12in_soft_torque; do
+for figure in fig09 fig09_certified fig14 fig17 fig17_trace well_12in well_12in_soft_torque \
+    well_12in_mud; do
     "$sweep" run "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" map
 done

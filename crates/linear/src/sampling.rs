@@ -145,7 +145,8 @@ pub fn frequency_for_fronts(string: &Drillstring) -> Result<f64, BuildError> {
 }
 
 /// The sampling frequency (Hz) that follows the vibration which a torque feeds that falls with the
-/// bit's speed by `fall`, N m s/rad: the least for all [`resonances`] that grow. 0 where none does.
+/// bit's speed by `fall`, N m s/rad: of the one of all [`resonances`] that bears least, for where that
+/// dies away, all do. 0 where none grows.
 ///
 /// # Errors
 /// Where the string cannot be cut up.
@@ -154,11 +155,11 @@ pub fn frequency_for_growth(string: &Drillstring, fall: f64) -> Result<f64, Dril
         return Ok(0.0);
     }
     let found = resonances(string, highest_frequency(string))?.into_iter();
-    let growing = found.filter(|resonance| resonance.steepest_fall() < fall);
-    let fastest = growing
-        .map(|resonance| resonance.frequency)
-        .reduce(f64::max);
-    Ok(STEPS_PER_GROWING_PERIOD * fastest.unwrap_or_default())
+    let first = found.min_by(|one, other| one.steepest_fall().total_cmp(&other.steepest_fall()));
+    let growing = first.filter(|resonance| resonance.steepest_fall() < fall);
+    Ok(growing.map_or(0.0, |resonance| {
+        STEPS_PER_GROWING_PERIOD * resonance.frequency
+    }))
 }
 
 #[cfg(test)]

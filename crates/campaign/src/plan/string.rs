@@ -2,6 +2,7 @@
 
 use linear::{Drillstring, DrillstringError, Material, Section, Tube};
 
+use super::hole::mud_is_viscous;
 use crate::design::Design;
 use crate::quantities::{Axis, LONGEST_STRING, StringAxis, TubeMeasure};
 use crate::sweep_file::{FileContent, SectionTable, Source, SweepFileError, TubeTable};
@@ -32,6 +33,34 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Drillstring, Sw
         .map_err(|error| source.error(&key_of(&error), error.to_string()))?;
     length(source, &string)?;
     Ok(string)
+}
+
+/// Refuses a string of which nothing says what energy it loses: its damping in a motion may be left
+/// out where its material or mud takes some.
+///
+/// # Errors
+/// With the key that is missing.
+pub fn check_damping(
+    source: &Source,
+    content: &FileContent,
+    design: &Design,
+) -> Result<(), SweepFileError> {
+    let loses = content.string.loss_factor > 0.0
+        || design
+            .axes()
+            .contains(&Axis::String(StringAxis::LossFactor))
+        || mud_is_viscous(content, design);
+    let of_bending = content
+        .string
+        .bending
+        .map(|_| "string.bending.damping_ns_m2");
+    let keys = [Some("string.torsional_damping_nms_rad_m"), of_bending];
+    for key in keys.into_iter().flatten() {
+        let message = "is missing; without it give `viscosity_cp` in [mud], or `loss_factor` in \
+                       [string]";
+        source.refuse_if(!loses && !source.gives_path(key), key, message)?;
+    }
+    Ok(())
 }
 
 /// Millimetres for metres show in the whole string, if not in a part.

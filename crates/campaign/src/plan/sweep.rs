@@ -129,6 +129,7 @@ impl Sweep {
             }
             (time, _) => time,
         };
+        string::check_damping(&source, &content, &design)?;
         let circumstances = Circumstances {
             data: &data,
             bit: bit.as_ref(),

@@ -13,8 +13,11 @@ pub struct BendingTable {
     /// Young's modulus E; steel has about 210.
     #[schemars(range(min = 0.1, max = 1000.0))]
     pub youngs_modulus_gpa: f64,
-    /// Lateral damping c_b of Eq. 19: drag on each metre of the string as it moves sideways.
+    /// Lateral damping c_b of Eq. 19: drag on each metre of the string as it moves sideways, the
+    /// same at every frequency. It may be left out, for none, where a `loss_factor` or the
+    /// `viscosity_cp` of the mud is given.
     #[schemars(range(min = 0.0, max = 1e7))]
+    #[serde(default)]
     pub damping_ns_m2: f64,
     /// Pre-compression C; tension where negative.
     #[schemars(range(min = -1e5, max = 1e5))]

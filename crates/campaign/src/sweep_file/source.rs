@@ -90,6 +90,14 @@ impl Source {
         table.and_then(|table| table.get(key)).is_some()
     }
 
+    /// Whether they give a key, by its path of tables, `string.bending.damping_ns_m2`.
+    pub fn gives_path(&self, path: &str) -> bool {
+        let (first, rest) = path.split_once('.').unwrap_or((path, ""));
+        let names = rest.split('.').filter(|name| !name.is_empty());
+        let first = self.merged.table.get(first);
+        names.fold(first, |table, name| table?.get(name)).is_some()
+    }
+
     /// Whether the sweep file itself gives a key of its top level, not a base of it.
     pub fn gives_itself(&self, key: &str) -> bool {
         let place = self.merged.find(key).map(|(place, _)| place.file);

@@ -17,9 +17,11 @@ pub struct StringTable {
     /// Density ρ; steel has 7850.
     #[schemars(range(min = 100.0, max = 30000.0))]
     pub density_kg_m3: f64,
-    /// Torsional damping c_t of Eq. 1: drag on each metre of the turning string. `hilbert` and
-    /// `direct-idft` need some. `inspect` prints what it leaves of a wave.
+    /// Torsional damping c_t of Eq. 1: drag on each metre of the turning string, the same at every
+    /// frequency. `inspect` prints what it leaves of a wave. It may be left out, for none, where a
+    /// `loss_factor` or the `viscosity_cp` of the mud is given.
     #[schemars(range(min = 0.0, max = 1e5))]
+    #[serde(default)]
     pub torsional_damping_nms_rad_m: f64,
     /// Loss factor η of the material and of its joints: over 2π, the part of its energy that the
     /// string loses in a cycle, at any frequency. Steel by itself has 0.0001 to 0.0006, strings with
