@@ -123,8 +123,8 @@ pub struct End {
     pub reflection: Vec<f64>,
 }
 
-/// Responses last at most this many times as long as is tried first: up to 37 times on random
-/// strings.
+/// Without loss that remembers, responses last at most this many times as long as is tried first: up
+/// to 37 times on random strings.
 const LASTS: f64 = 64.0;
 
 /// Responses of the uppermost piece.
@@ -199,7 +199,11 @@ impl<'a> CascadePlan<'a> {
         }
         let first = first_taps(string, nodes, sampling_frequency);
         let most = needed_taps(longest_time, sampling_frequency);
-        let longest = (LASTS * first).min(most);
+        // What mud and material remember fades far more slowly than echoes do.
+        let longest = match string.loss().has_memory() {
+            true => most,
+            false => (LASTS * first).min(most),
+        };
         if longest > MOST_TAPS as f64 {
             return Err(too_many(longest));
         }

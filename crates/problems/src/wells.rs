@@ -1,7 +1,7 @@
 //! Strings in wells, drawn at random: the same for the same number.
 
 use linear::well::{Station, Survey};
-use linear::{Drillstring, Section, Tube, estimates};
+use linear::{Drillstring, Hole, HoleSection, Mud, Section, Tube, estimates};
 
 use crate::pipes::STEEL;
 
@@ -55,6 +55,26 @@ impl Well {
         let survey = survey(number / 3 % 3, string.length(), draw);
         Self { string, survey }
     }
+}
+
+/// The same string in a narrow or a wide hole with thin or thick mud, of a material that loses energy.
+pub fn with_loss(string: &Drillstring, draw: &mut Draw) -> Drillstring {
+    let tubes = string.sections().iter().flat_map(|section| &section.parts);
+    let widest = tubes.fold(0.0, |widest: f64, tube| widest.max(tube.outer_radius));
+    let hole = Hole {
+        sections: vec![HoleSection {
+            length: string.length(),
+            radius: widest * draw.log_uniform(1.05, 3.0),
+        }],
+        mud: Mud {
+            density: draw.uniform(1000.0, 2000.0),
+            viscosity: draw.log_uniform(1e-3, 0.1),
+        },
+    };
+    let loss_factor = draw.log_uniform(1e-4, 0.02);
+    let in_mud = string.clone().in_hole(hole);
+    let lossy = in_mud.and_then(|string| string.with_loss_factor(loss_factor));
+    lossy.expect("the hole is wider than the string")
 }
 
 fn sections(shape: usize, length: f64, draw: &mut Draw) -> Vec<Section> {

@@ -7,7 +7,7 @@ use linear::{
     ResponsePlan, Section, Sites, SurfaceSupport, TopDrive, Tube, responses,
 };
 use problems::academic;
-use problems::wells::{Draw, Well};
+use problems::wells::{Draw, Well, with_loss};
 use proptest::prelude::*;
 
 /// Elements without numerical damping, too: what is infinitely stiff rings for ever by these.
@@ -140,6 +140,9 @@ fn drawn(number: usize) -> (Drillstring, Request) {
             torques: vec![0, 1],
         }];
     }
+    if number % 5 == 4 {
+        return (with_loss(&string, &mut draw), request);
+    }
     (string, request)
 }
 
@@ -182,8 +185,11 @@ fn val_pieces_ring_no_longer_than_planned() {
     let mut longest: f64 = 0.0;
     for number in 0..60 {
         let mut draw = Draw::new(number);
-        let string = Well::draw(number, &mut draw).string;
+        let mut string = Well::draw(number, &mut draw).string;
         let pieces = draw.log_uniform(1.0, 60.0) as usize;
+        if number % 5 == 4 {
+            string = with_loss(&string, &mut draw);
+        }
         let length = string.length() / pieces as f64;
         let middles = (0..pieces).map(|piece| (piece as f64 + 0.5) * length);
         let places: Vec<f64> = middles.chain([0.0]).collect();
