@@ -33,7 +33,7 @@ pub fn assemble(
         let first = 2 * upper;
         let element_mass = mass_matrix(element, string.mass_sideways(element, around.hole_radius));
         let element_stiffness = stiffness_matrix(element, &bending.under(around.tension));
-        let of_material = stiffness_matrix(element, &bending.straight());
+        let of_material = fades.then(|| stiffness_matrix(element, &bending.straight()));
         for row in 0..4 {
             for column in 0..4 {
                 let (Some(i), Some(j)) = (
@@ -44,7 +44,7 @@ pub fn assemble(
                 };
                 mass.push(Entry::new(i, j, element_mass[row][column]));
                 stiffness.push(Entry::new(i, j, element_stiffness[row][column]));
-                if fades {
+                if let Some(of_material) = of_material {
                     elastic.push(Entry::new(i, j, of_material[row][column]));
                 }
             }

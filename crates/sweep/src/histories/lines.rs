@@ -7,6 +7,7 @@ use anyhow::Result;
 use linear::elements::reconstruction::Reconstruction;
 use sim::{Ended, Outcome};
 
+use super::vibration::Vibration;
 use campaign::engine::{Beyond, Case, Clearances, Simulation};
 
 use campaign::plan::Sweep;
@@ -37,6 +38,7 @@ pub fn case_lines(
         let own = |simulation: &&Simulation| simulation.case == case.index;
         for simulation in simulations.iter().filter(own) {
             text += &answer_lines(sweep, simulation);
+            text += &vibration_line(sweep, simulation);
         }
         let clearances = Clearances::of(&sweep.setting, case);
         for (simulation, whole) in simulations.iter().zip(wholes) {
@@ -109,6 +111,18 @@ fn beyond_line(
         2,
         4,
     )
+}
+
+/// How the bit vibrates at the end, where its torque falls with speed.
+fn vibration_line(sweep: &Sweep, simulation: &Simulation) -> String {
+    let vibration = Vibration::at_the_end(sweep, &simulation.trajectory);
+    let lowest = sweep.setting.string.sections().last();
+    let bit = lowest.and_then(|section| section.parts.last());
+    let words = vibration.zip(bit).map(|(vibration, bit)| {
+        let words = vibration.in_words(bit.outer_radius);
+        wrapped(&format!("{}: {words}", simulation.name), 2, 4)
+    });
+    words.unwrap_or_default()
 }
 
 fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {

@@ -16,6 +16,7 @@ mod string_tables;
 mod tables;
 #[cfg(test)]
 mod validation;
+mod vibration;
 mod whole_string;
 
 pub use contact_map::contact_picture;
