@@ -55,8 +55,9 @@ pub const FEWEST_STEPS: f64 = 512.0;
 pub const TOLERANCE: f64 = 0.005;
 
 /// A front that arrives within a step is shared between two, as if up to half a step early or late.
-/// All round trips that are remembered together may add up to this part of the travel time: of 78
-/// random strings all have their limit within 5 % then, 72 at twice as much.
+/// All round trips that are remembered together may add up to this part of the travel time: of
+/// 190 random strings 184 have their limit within 5 % then, 171 with steps for Δ alone; of 78 of
+/// them all do, and 72 at twice as much.
 const TIME_TOLERANCE: f64 = 0.005;
 
 /// What comes within this part of the travel time is a front: a loss factor of 0.005 makes no more of
