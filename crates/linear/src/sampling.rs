@@ -7,7 +7,9 @@
 //! front in fractions of the time of one pipe, and their echoes add up. So a step is one piece
 //! of the [lattice](crate::waves::lattice), in which nothing is rounded off. Only where these are
 //! too many the number of steps is doubled until Δ by [`crate::Method::Held`] is the exact one; and
-//! where loss grows with frequency, which takes the echoes that need more.
+//! where loss grows with frequency, which takes the echoes that need more. Fronts arrive at any
+//! time then, and Δ alone does not decide: the steps are so short that the echoes of all round trips
+//! that are remembered come in time.
 //!
 //! Neither depends on how the lengths of a string are divided between its parts: see
 //! [`merged`].
@@ -52,6 +54,16 @@ pub const FEWEST_STEPS: f64 = 512.0;
 /// Where loss depends on frequency, times what a wave loses in a round trip.
 pub const TOLERANCE: f64 = 0.005;
 
+/// A front that arrives within a step is shared between two, as if up to half a step early or late.
+/// All round trips that are remembered together may add up to this part of the travel time: of
+/// 190 random strings 184 have their limit within 5 % then, 171 with steps for Δ alone; of 78 of
+/// them all do, and 72 at twice as much.
+const TIME_TOLERANCE: f64 = 0.005;
+
+/// What comes within this part of the travel time is a front: a loss factor of 0.005 makes no more of
+/// one in a round trip.
+const FRONT: f64 = 1.0 / 64.0;
+
 /// What of a wave still reaches the bit at the highest frequency that needs to be followed: an echo
 /// of it is a thousandth of what it was.
 const LEAST_LEFT: f64 = 0.03;
@@ -59,8 +71,10 @@ const LEAST_LEFT: f64 = 0.03;
 /// Steps in a period of that.
 const STEPS_PER_PERIOD: f64 = 8.0;
 
-/// Steps in a period of vibration that a falling torque feeds: whether it grows is right to a
-/// percent of the fall then.
+/// Steps in a period of vibration that a falling torque feeds. What is held over steps, as means over
+/// them, is answered sinc²(π/20) times as strongly: vibration grows from a fall that is 0.8 % too
+/// steep. On 8 random strings it is simulated to grow 0.4 to 1.1 % above the exact fall, on one
+/// of them 2.1 %; 1.3 % at most at the default frequency.
 const STEPS_PER_GROWING_PERIOD: f64 = 20.0;
 
 /// An undershoot that is less than this part of the largest speed after the same step of torque is
@@ -115,12 +129,38 @@ impl Steps {
             let needed = steps_at(&string, STEPS_PER_PERIOD * fastest);
             most = most.min(needed.max(FEWEST_STEPS));
         }
-        let mut steps = by_held(FEWEST_STEPS);
+        let mut first = FEWEST_STEPS;
+        if has_memory {
+            first = first
+                .max(steps_for_echoes(&string, &train, pieces))
+                .min(most);
+        }
+        let mut steps = by_held(first);
         while (steps.undershoot - exact).abs() > tolerance && steps.per_travel < most {
             steps = by_held((2.0 * steps.per_travel).min(most));
         }
         Ok(steps)
     }
+}
+
+/// Steps per travel time of a string that remembers echoes for 1/(1 − q) round trips, q being what
+/// is left after one. A swing without fronts does not care where in a step it begins: what counts
+/// is the part of the bit's swing after a step of torque that is a front.
+fn steps_for_echoes(string: &Drillstring, train: &[f64], pieces: f64) -> f64 {
+    let window = (pieces * FRONT).ceil() as usize;
+    // The torque itself acts at the start of a step.
+    let speeds: Vec<f64> = (train.iter().scan(0.0, |speed, impulse| {
+        *speed += impulse;
+        Some(*speed)
+    }))
+    .collect();
+    let jumps = speeds.iter().zip(speeds.iter().skip(window));
+    let largest = jumps.fold(0.0f64, |most, (before, after)| {
+        most.max((after - before).abs())
+    });
+    let swing = largest_undershoot(train) + largest_response(train);
+    let remembered = (1.0 - torsional_wave_left(string).powi(2)).recip();
+    0.5 * remembered * (largest / swing).min(1.0) / TIME_TOLERANCE
 }
 
 /// The sampling frequency, Hz, of a number of steps per travel time.

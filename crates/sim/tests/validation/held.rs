@@ -1,9 +1,14 @@
 //! Held loads in simulations: stick-slip against waves handed on in time, whirl against the
 //! balance of forces, and what fineness of step changes.
 
-use linear::estimates::{bending_decay_rate, torsional_travel_time};
+use linear::deviation::exact_undershoot;
+use linear::estimates::{bending_decay_rate, stick_slip_speed_limit, torsional_travel_time};
+use linear::sampling::frequency_for_fronts;
+use linear::steady::winding;
 use linear::waves::lateral::BendingNetwork;
-use linear::{Drillstring, Method, Request, Section, Sites, SurfaceSupport, responses};
+use linear::{
+    Drillstring, Hole, HoleSection, Method, Mud, Request, Section, Sites, SurfaceSupport, responses,
+};
 use problems::academic::{self, BENDING, tube};
 use problems::oracles::assert_close;
 use problems::plain_lattice::PlainLattice;
@@ -12,8 +17,8 @@ use sim::excitation::least_impulse;
 use sim::laws::contact::{Approach, Spin, WallLaw};
 use sim::watch::lateral::{LateralMeasures, LateralRegime};
 use sim::{
-    BitTorque, Impulse, Lateral, Sampling, Scene, Simulator, Stopping, Timing, TorsionRegime, Wall,
-    WhirlingSite, torsion_timing,
+    BitTorque, Impulse, Lateral, Sampling, Scene, Simulator, Start, Stopping, Timing,
+    TorsionRegime, Wall, WhirlingSite, torsion_timing,
 };
 
 const BIT: BitTorque = BitTorque {
@@ -97,6 +102,81 @@ fn val_sharp_fronts_leave_the_limit_of_stick_slip_where_waves_have_it() {
             assert_close(found, by_waves, 0.015);
         }
     }
+}
+
+/// In mud, of a material with loss.
+fn uniform_in_mud(length: f64, loss_factor: f64) -> Drillstring {
+    let section = Section {
+        repeat: 1,
+        parts: vec![tube(length, 0.0635)],
+    };
+    let hole = Hole {
+        sections: vec![HoleSection {
+            length,
+            radius: 0.11,
+        }],
+        mud: Mud {
+            density: 1200.0,
+            viscosity: 0.01,
+        },
+    };
+    let material = academic::string().material();
+    (Drillstring::new(material, vec![section], 0.0))
+        .and_then(|string| string.in_hole(hole))
+        .and_then(|string| string.with_loss_factor(loss_factor))
+        .unwrap()
+}
+
+/// A short uniform string that loses little remembers echoes for dozens of round trips. In 512
+/// steps per travel time, in which its undershoot is as it is, labels are not.
+#[test]
+fn val_the_default_frequency_has_the_labels_of_a_short_string_that_loses_little() {
+    let string = uniform_in_mud(671.0, 0.001);
+    let undershoot = exact_undershoot(&string).unwrap();
+    let guess = stick_slip_speed_limit(undershoot, BIT.torque_static, BIT.torque_dynamic);
+    let speeds: Vec<f64> = (0..40)
+        .map(|it| guess * (0.4 + 0.09 * f64::from(it)))
+        .collect();
+    let torque = (1.0 + 1e-9) * BIT.torque_static;
+    let start = |speed| Start::Steady(winding(&string, &Sites::bit(), speed, torque));
+    let timing = |speed| torsion_timing(&string, speed, &BIT, &start(speed));
+    let labels_at = |frequency: f64| -> Vec<bool> {
+        let request = Request {
+            sampling_frequency: frequency,
+            ..academic::bit_request(timing(speeds[0]).duration)
+        };
+        let responses = responses(&string, &Method::Held, &request).unwrap();
+        let simulator = Simulator::new(&responses).unwrap();
+        let sticks = |speed: &f64| {
+            let scene = Scene {
+                start: start(*speed),
+                surface_speed: *speed,
+                bit: Some(BIT),
+                friction: Vec::new(),
+                lateral: None,
+                timing: timing(*speed),
+            };
+            let outcome = simulator.simulate(&scene, Stopping::Early, None).unwrap();
+            outcome.torsion().unwrap().regime == TorsionRegime::StickSlip
+        };
+        speeds.iter().map(sticks).collect()
+    };
+    let travel = torsional_travel_time(&string);
+    let exact = labels_at(8192.0 / travel);
+    let wrong_at = |frequency: f64| {
+        let labels = labels_at(frequency);
+        labels
+            .iter()
+            .zip(&exact)
+            .filter(|(one, other)| one != other)
+            .count()
+    };
+    let by_rule = frequency_for_fronts(&string).unwrap();
+    let [by_rule, of_undershoot] = [by_rule, 512.0 / travel].map(wrong_at);
+    assert!(
+        by_rule <= 1 && of_undershoot > 5,
+        "{by_rule} {of_undershoot}"
+    );
 }
 
 fn rpm(speed: f64) -> f64 {

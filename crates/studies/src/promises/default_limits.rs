@@ -1,5 +1,6 @@
 //! The limit of stick-slip at the sampling frequency that a sweep file gets if it gives none:
-//! on random strings of every family, against exact waves.
+//! on random strings of every family, against exact waves; or on such strings in viscous mud, of a
+//! material with loss, against `held` in steps so short that shorter ones change nothing.
 //!
 //! Limits of strings that damp a wave little are ragged: next to them are islands of the other
 //! regime. The exact limit is where the coarser of two waveguides, halving a bracket about
@@ -10,9 +11,10 @@
 use anyhow::{Context, Result};
 use linear::Method;
 use linear::estimates::{sampling_frequency, torsional_travel_time};
+use linear::sampling::{self, FEWEST_STEPS};
 use linear::waves::lattice::Lattice;
 
-use super::finder::{Finder, longest};
+use super::finder::{Finder, HALVED, longest};
 use super::problem::{Begins, Motion, Problem};
 use super::{of_each, stick_slip};
 use campaign::accuracy::bisection::Truth;
@@ -21,6 +23,15 @@ use campaign::plan::{Setting, Sweep};
 
 /// An exact limit tests others where it is known to this part of itself.
 const CERTAIN: f64 = 0.025;
+
+/// Steps per travel time of two systems that limits in mud are compared with: 8 and 16 times the
+/// fewest of the rule, whatever that makes of a string. No waveguide has loss that depends on
+/// frequency.
+const FINE: [f64; 2] = [8.0 * FEWEST_STEPS, 16.0 * FEWEST_STEPS];
+
+/// The coarser of them looks for the limit within this factor of Eq. 74's, and above it, where the
+/// bit sticks there, within the square: as on waveguides.
+const ABOUT: f64 = 2.0;
 
 /// How the sampling frequency was chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,6 +75,14 @@ pub struct Found {
 }
 
 impl Found {
+    /// What the exact limit is by, a word in the table.
+    pub fn reference(&self) -> &'static str {
+        match self.problem.surroundings {
+            None => "waveguide",
+            Some(_) => "held-in-fine-steps",
+        }
+    }
+
     /// The error of the limit, a part of one, with its sign: infinite where it is not near the
     /// exact one; `None` where that is not known.
     pub fn error(&self) -> Option<f64> {
@@ -74,24 +93,50 @@ impl Found {
     }
 }
 
-/// Limits by these methods on a number of strings, for cases with a start; `known` gives exact
-/// limits that have been found before, and `done` is called after each string.
+/// Which limits are wanted.
+#[derive(Debug, Clone, Copy)]
+pub struct Wanted<'a> {
+    /// By which methods.
+    pub methods: &'a [Method],
+    /// From which motion.
+    pub begins: Begins,
+    /// Of strings in viscous mud, of a material with loss.
+    pub in_mud: bool,
+}
+
+impl Wanted<'_> {
+    fn draw(&self, number: usize, seed: u64) -> Result<Problem> {
+        if self.in_mud {
+            return Problem::draw_in_mud(number, seed, self.begins);
+        }
+        Problem::draw_family(number, seed, self.begins)
+    }
+
+    fn truth(&self, problem: &Problem) -> Result<Truth> {
+        if self.in_mud {
+            return in_fine_steps(problem);
+        }
+        stick_slip::truth_of_family(problem)
+    }
+}
+
+/// Limits on a number of strings; `known` gives exact limits that have been found before, and
+/// `done` is called after each string.
 ///
 /// # Errors
 /// Where a string cannot be drawn, or its responses cannot be built.
 pub fn default_limits(
-    (methods, begins): (&[Method], Begins),
+    wanted: Wanted,
     strings: usize,
     seed: u64,
     known: &(dyn Fn(usize) -> Option<Result<Truth, String>> + Sync),
     done: &(dyn Fn() + Sync),
 ) -> Result<Vec<Found>> {
     of_each(&[Motion::StickSlip], strings, done, |_, number| {
-        let problem = Problem::draw_family(number, seed, begins)?;
-        let truth = known(number).unwrap_or_else(|| {
-            stick_slip::truth_of_family(&problem).map_err(|reason| format!("{reason:#}"))
-        });
-        let found = methods.iter().flat_map(|method| {
+        let problem = wanted.draw(number, seed)?;
+        let truth = known(number)
+            .unwrap_or_else(|| (wanted.truth(&problem)).map_err(|reason| format!("{reason:#}")));
+        let found = wanted.methods.iter().flat_map(|method| {
             let rules: &[Rule] = match method {
                 Method::Held => &[Rule::Default, Rule::OnePiece, Rule::OneCell],
                 // They would take minutes in such steps, and smear fronts all the same.
@@ -102,6 +147,27 @@ pub fn default_limits(
         });
         let found: Result<Vec<Found>> = found.collect();
         found.with_context(|| format!("string {number}"))
+    })
+}
+
+/// The limit by `held` in the shorter of two steps; what it differs by in the other is its
+/// uncertainty.
+fn in_fine_steps(problem: &Problem) -> Result<Truth> {
+    let sweep = problem.sweep(&format!("methods = [\"{}\"]\n", Method::Held.name()))?;
+    let guess = stick_slip::guess(&sweep)?;
+    let low = guess / ABOUT;
+    let at = |steps| {
+        let frequency = sampling::frequency(&sweep.setting.string, steps);
+        finder(problem, &sweep, &sweep.setting.sampled_at(frequency), low)
+    };
+    let ([coarse, fine], high) = (FINE, guess * ABOUT);
+    let coarse = at(coarse)?;
+    let one = (coarse.between([low, high])).or_else(|| coarse.between([low, high * ABOUT]));
+    let one = one.context("there is no limit")?;
+    let other = at(fine)?.nearest(one).context("the limit is ragged")?;
+    Ok(Truth {
+        limit: other,
+        uncertainty: (other / one - 1.0).abs() + HALVED,
     })
 }
 
@@ -137,13 +203,18 @@ fn found(
     };
     found.sampling_frequency = setting.sampling_frequency;
     found.steps_per_travel = setting.sampling_frequency * torsional_travel_time(&setting.string);
-    found.limit = limit(problem, &sweep, &setting, truth.limit)?;
+    found.limit = finder(problem, &sweep, &setting, truth.limit)?.nearest(truth.limit);
     Ok(found)
 }
 
-/// The limit of the sweep's method in a setting, rpm, nearest to a place.
-fn limit(problem: &Problem, sweep: &Sweep, setting: &Setting, place: f64) -> Result<Option<f64>> {
-    let longest = longest(problem, sweep, place)?;
+/// Finds limits of the sweep's method in a setting, about `middle` (rpm).
+fn finder<'a>(
+    problem: &Problem,
+    sweep: &'a Sweep,
+    setting: &Setting,
+    middle: f64,
+) -> Result<Finder<'a>> {
+    let longest = longest(problem, sweep, middle)?;
     let system = Recipe::of(sweep, setting, sweep.methods[0], longest).build()?;
-    Ok(Finder::by(problem, sweep, system).nearest(place))
+    Ok(Finder::by(problem, sweep, system))
 }

@@ -5,15 +5,18 @@
 mod default_limits;
 mod draw;
 mod finder;
+mod growth;
 mod labels;
 mod problem;
 mod stick_slip;
+mod surroundings;
 mod whirl;
 
 use anyhow::{Context, Result};
 use rayon::prelude::*;
 
-pub use default_limits::{Found, default_limits};
+pub use default_limits::{Found, Wanted, default_limits};
+pub use growth::{Onset, onsets_of_growth};
 pub use labels::{Tested, test_labels};
 pub use problem::{Begins, Motion, Problem};
 

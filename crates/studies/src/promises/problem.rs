@@ -7,9 +7,11 @@ use anyhow::Result;
 use clap::ValueEnum;
 use linear::deviation::exact_undershoot;
 use linear::estimates::{first_mode, stick_slip_speed_limit, torsional_wave_left};
-use linear::{Drillstring, Material};
+use linear::{Drillstring, Material, Section};
+use sim::BitTorque;
 
 use super::draw::{Draw, FAMILIES, FIELD, SHAPES, SURFACES, Shape, Sizes, Surface, WIDE, sections};
+use super::surroundings::Surroundings;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::records::to_rpm;
@@ -87,9 +89,13 @@ pub struct Problem {
     /// Length, m.
     pub length: f64,
     /// What damping takes of a wave from the surface to the bit: its amplitude is left at
-    /// the exponential of minus this.
+    /// the exponential of minus this. Of a wave of the first mode where loss depends on frequency.
     pub loss: f64,
-    /// Its sweep file, without the method.
+    /// What it is in, where loss depends on frequency.
+    pub surroundings: Option<Surroundings>,
+    /// What happens, the first part of its sweep file.
+    scene: String,
+    /// The string with what turns it, the other.
     text: String,
 }
 
@@ -114,7 +120,9 @@ impl Problem {
             surface: Surface::Prescribed.name(),
             length: string.length(),
             loss,
-            text: scene + &string_text(&string),
+            surroundings: None,
+            scene,
+            text: string_text(&string, 0.0),
         })
     }
 
@@ -125,11 +133,40 @@ impl Problem {
     /// As [`Problem::draw`].
     pub fn draw_family(number: usize, seed: u64, begins: Begins) -> Result<Self> {
         let mut draw = Draw::new(seed, FAMILY_STREAM + number as u64);
-        let (round, shape) = (number / FAMILIES.len(), FAMILIES[number % FAMILIES.len()]);
-        let (turn, surface) = (round / SURFACES.len(), SURFACES[round % SURFACES.len()]);
-        let sizes = if turn % 2 == 0 { FIELD } else { WIDE };
-        let (string, loss) = string(&mut draw, shape, &sizes, 6000.0)?;
-        let (drive, inertia) = match surface {
+        let kind = Kind::of(number);
+        let damped = string(&mut draw, kind.shape, &kind.sizes, 6000.0)?;
+        Self::of_kind(&mut draw, &kind, damped, None, begins)
+    }
+
+    /// The same families in viscous mud, of a material with loss, and with little or no constant
+    /// damping: as many are shorter than 1 km as remember echoes for many round trips.
+    ///
+    /// # Errors
+    /// As [`Problem::draw`].
+    pub fn draw_in_mud(number: usize, seed: u64, begins: Begins) -> Result<Self> {
+        let mut draw = Draw::new(seed, IN_MUD_STREAM + number as u64);
+        let kind = Kind::of(number);
+        let length = draw.log_uniform(300.0, 6000.0);
+        let sections = sections(&mut draw, kind.shape, &kind.sizes, length);
+        let surroundings = Surroundings::draw(&mut draw, &sections);
+        let has_none = draw.uniform(0.0, 1.0) < 0.5;
+        let loss = match has_none {
+            true => 0.0,
+            false => draw.log_uniform(0.003, 0.1),
+        };
+        let damped = damped(sections, loss)?;
+        Self::of_kind(&mut draw, &kind, damped, Some(surroundings), begins)
+    }
+
+    /// Under the drive of a kind, with a limit to be looked for.
+    fn of_kind(
+        draw: &mut Draw,
+        kind: &Kind,
+        (string, loss): (Drillstring, f64),
+        surroundings: Option<Surroundings>,
+        begins: Begins,
+    ) -> Result<Self> {
+        let (drive, inertia) = match kind.surface {
             Surface::Prescribed => (None, 0.0),
             Surface::Stiff => (Some("stiff"), draw.uniform(500.0, 4000.0)),
             Surface::SoftTorque => {
@@ -140,21 +177,49 @@ impl Problem {
         let drive = drive.map_or_else(String::new, |controller| {
             format!("[top_drive]\ninertia_kg_m2 = {inertia}\ncontroller = \"{controller}\"\n\n")
         });
+        let (around, loss_factor) = match surroundings {
+            None => (String::new(), 0.0),
+            Some(surroundings) => (surroundings.text(), surroundings.loss_factor),
+        };
         let mut problem = Self {
-            number,
+            number: kind.number,
             motion: Motion::StickSlip,
-            shape: shape.name(),
-            surface: surface.name(),
+            shape: kind.shape.name(),
+            surface: kind.surface.name(),
             length: string.length(),
             loss,
-            text: drive + &string_text(&string),
+            surroundings,
+            scene: String::new(),
+            text: drive + &around + &string_text(&string, loss_factor),
         };
         let ratio = draw.uniform(1.1, 1.5);
         // The drive moves the limit.
         let bare = "sampling_frequency_hz = 1000\nsurface_speed_rpm = 60\n";
         let string = problem.sweep(bare)?.setting.string;
-        problem.text = stick_slip_of(ratio, &string, begins)? + &problem.text;
+        if surroundings.is_some() {
+            problem.loss = -torsional_wave_left(&string).ln();
+        }
+        problem.scene = stick_slip_of(ratio, &string, begins)?;
         Ok(problem)
+    }
+
+    /// Its string below a bit whose torque falls with its speed, the surface at two speeds, rpm.
+    pub(super) fn under_falling_torque(&self, bit: BitTorque, speeds: [f64; 2]) -> Self {
+        let BitTorque {
+            torque_static,
+            torque_dynamic,
+            decay_speed,
+        } = bit;
+        let (ratio, decay) = (torque_static / torque_dynamic, to_rpm(decay_speed));
+        let scene = format!(
+            "start = \"smooth\"\n\n[bit]\ntorque_dynamic_nm = {torque_dynamic}\n\
+             torque_static_ratio = {ratio}\ntorque_decay_rpm = {decay}\n\n{}",
+            at_speeds(speeds)
+        );
+        Self {
+            scene,
+            ..self.clone()
+        }
     }
 
     /// Its sweep with a method, or an accuracy, in the first lines of its file.
@@ -163,7 +228,7 @@ impl Problem {
     /// Where that is refused.
     pub fn sweep(&self, method: &str) -> Result<Sweep> {
         let name = Path::new("problem.toml");
-        let text = format!("{method}{}", self.text);
+        let text = format!("{method}{}{}", self.scene, self.text);
         // It names no other file.
         let read = |path: &Path, _| match path == name {
             true => Ok(text.clone()),
@@ -173,8 +238,31 @@ impl Problem {
     }
 }
 
-/// Random numbers of families: no other problem has these.
+/// Random numbers of families, and of those in mud: no other problem has these.
 const FAMILY_STREAM: u64 = 1 << 33;
+const IN_MUD_STREAM: u64 = 1 << 34;
+
+/// Of which kind the string of a number is.
+struct Kind {
+    number: usize,
+    shape: Shape,
+    surface: Surface,
+    sizes: Sizes,
+}
+
+impl Kind {
+    fn of(number: usize) -> Self {
+        let (round, shape) = (number / FAMILIES.len(), FAMILIES[number % FAMILIES.len()]);
+        let (turn, surface) = (round / SURFACES.len(), SURFACES[round % SURFACES.len()]);
+        let sizes = if turn % 2 == 0 { FIELD } else { WIDE };
+        Self {
+            number,
+            shape,
+            surface,
+            sizes,
+        }
+    }
+}
 
 /// A string of some length up to the longest, m, and what damping takes of a wave.
 fn string(
@@ -185,7 +273,11 @@ fn string(
 ) -> Result<(Drillstring, f64)> {
     let length = draw.log_uniform(100.0, longest);
     let sections = sections(draw, shape, sizes, length);
-    let loss = draw.log_uniform(0.03, 0.7);
+    damped(sections, draw.log_uniform(0.03, 0.7))
+}
+
+/// With the constant damping that takes this of a wave.
+fn damped(sections: Vec<Section>, loss: f64) -> Result<(Drillstring, f64)> {
     let with_damping = |damping| Drillstring::new(STEEL, sections.clone(), damping);
     let loss_of_one = -torsional_wave_left(&with_damping(1.0)?).ln();
     Ok((with_damping(loss / loss_of_one)?, loss))
@@ -200,11 +292,17 @@ fn stick_slip_of(ratio: f64, string: &Drillstring, begins: Begins) -> Result<Str
     let start = begins.name();
     let undershoot = exact_undershoot(string)?;
     let limit = to_rpm(stick_slip_speed_limit(undershoot, ratio * TORQUE, TORQUE));
-    let [low, high] = [0.8 * limit, 1.6 * limit];
     Ok(format!(
-        "start = \"{start}\"\n\n[bit]\ntorque_dynamic_nm = {TORQUE}\ntorque_static_ratio = {ratio}\n\n[design]\n\
-         kind = \"grid\"\n\n[design.axes]\nsurface_speed_rpm = {{ values = [{low}, {high}] }}\n"
+        "start = \"{start}\"\n\n[bit]\ntorque_dynamic_nm = {TORQUE}\ntorque_static_ratio = {ratio}\n\n{}",
+        at_speeds([0.8 * limit, 1.6 * limit])
     ))
+}
+
+/// Cases at two surface speeds, rpm.
+fn at_speeds([low, high]: [f64; 2]) -> String {
+    format!(
+        "[design]\nkind = \"grid\"\n\n[design.axes]\nsurface_speed_rpm = {{ values = [{low}, {high}] }}\n"
+    )
 }
 
 fn whirl(draw: &mut Draw) -> String {
@@ -221,11 +319,11 @@ fn whirl(draw: &mut Draw) -> String {
     )
 }
 
-fn string_text(string: &Drillstring) -> String {
+fn string_text(string: &Drillstring, loss_factor: f64) -> String {
     let material = string.material();
     let mut text = format!(
         "\n[string]\nshear_modulus_gpa = {}\ndensity_kg_m3 = {}\n\
-         torsional_damping_nms_rad_m = {}\n",
+         torsional_damping_nms_rad_m = {}\nloss_factor = {loss_factor}\n",
         material.shear_modulus / 1e9,
         material.density,
         string.torsional_damping(),

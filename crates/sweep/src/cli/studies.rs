@@ -93,6 +93,14 @@ pub struct PromisesArguments {
     /// Test instead where the limit of stick-slip is at the default sampling frequency
     #[arg(long)]
     pub limits: bool,
+    /// Test instead under which fall of the bit's torque with its speed vibration grows at the
+    /// default sampling frequency, on strings in viscous mud, of a material with loss
+    #[arg(long, conflicts_with_all = ["limits", "labels"])]
+    pub growth: bool,
+    /// Strings of --limits in viscous mud, of a material with loss; their limits are compared with
+    /// those of `held` in 4096 and 8192 steps per travel time
+    #[arg(long, requires = "limits")]
+    pub in_mud: bool,
     /// How cases of --limits and of stick-slip in --labels begin
     #[arg(long, value_enum, default_value_t = Begins::Stuck)]
     pub start: Begins,

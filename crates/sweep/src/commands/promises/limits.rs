@@ -14,10 +14,10 @@ const UNCERTAINTY: &str = "exact_uncertainty";
 const NOTE: &str = "note";
 
 /// The columns of the table: their names, and what a limit has there.
-pub fn columns(found: &Found) -> [(&'static str, String); 14] {
+pub fn columns(found: &Found) -> [(&'static str, String); 17] {
     let problem = &found.problem;
     let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
-    let truth = found.truth.as_ref().ok();
+    let (truth, surroundings) = (found.truth.as_ref().ok(), problem.surroundings);
     [
         (STRING, problem.number.to_string()),
         ("family", problem.shape.to_owned()),
@@ -36,6 +36,15 @@ pub fn columns(found: &Found) -> [(&'static str, String); 14] {
         (UNCERTAINTY, number(truth.map(|truth| truth.uncertainty))),
         ("error", number(found.error())),
         (NOTE, found.truth.clone().err().unwrap_or_default()),
+        (
+            "viscosity_cp",
+            number(surroundings.map(|around| around.viscosity)),
+        ),
+        (
+            "loss_factor",
+            number(surroundings.map(|around| around.loss_factor)),
+        ),
+        ("exact_limit_by", found.reference().to_owned()),
     ]
 }
 

@@ -1,6 +1,7 @@
 //! `sweep study promises`: how often an accuracy asked for is kept, or a label that is certain is
 //! right, on strings drawn at random.
 
+mod growth;
 mod labels;
 mod limits;
 mod table;
@@ -17,7 +18,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::PromisesArguments;
 use results::files::write_atomically;
-use studies::promises::{Motion, default_limits, run, test_labels};
+use studies::promises::{Motion, Wanted, default_limits, onsets_of_growth, run, test_labels};
 use table::{columns, summary};
 
 /// Puts promises to the test and writes their table.
@@ -29,7 +30,8 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
     let motions: Vec<Motion> = Motion::ALL.into_iter().filter(is_wanted).collect();
     let limit = arguments.memory.limit();
     let strings = arguments.strings as usize;
-    let motions_of_table = if arguments.limits { 1 } else { motions.len() };
+    let has_one_motion = arguments.limits || arguments.growth;
+    let motions_of_table = if has_one_motion { 1 } else { motions.len() };
     let progress = Progress::new(motions_of_table * strings, 0, arguments.quiet, terminal);
     let tick = || progress.tick();
     let (name, table, text) = if arguments.limits {
@@ -37,17 +39,22 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
         let known = known.unwrap_or_default();
         let methods = wanted_methods(&arguments.methods)?;
         let of_string = |number: usize| known.get(&number).cloned();
-        let found = default_limits(
-            (&methods, arguments.start),
-            strings,
-            arguments.seed,
-            &of_string,
-            &tick,
-        );
+        let wanted = Wanted {
+            methods: &methods,
+            begins: arguments.start,
+            in_mud: arguments.in_mud,
+        };
+        let found = default_limits(wanted, strings, arguments.seed, &of_string, &tick);
         progress.finish();
         let found = found?;
         let table = csv_table(found.iter().map(limits::columns))?;
         ("limits.csv", table, limits::summary(&found))
+    } else if arguments.growth {
+        let found = onsets_of_growth(strings, arguments.seed, &tick);
+        progress.finish();
+        let onsets = found?;
+        let table = csv_table(onsets.iter().map(growth::columns))?;
+        ("growth.csv", table, growth::summary(&onsets))
     } else if arguments.labels {
         let found = test_labels((&motions, arguments.start), strings, arguments.seed, &tick);
         progress.finish();
