@@ -12,10 +12,10 @@ pub(crate) mod quadrature;
 pub mod radau;
 
 use num_complex::Complex64;
-use realfft::ComplexToReal;
 
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
+use crate::fft::ComplexToReal;
 use crate::parallel;
 
 pub(crate) use buffers::Buffers;

@@ -9,12 +9,11 @@
 use std::sync::Arc;
 
 use num_complex::Complex64;
-use realfft::ComplexToReal;
 
 use super::{Buffers, inverse_transform, keep, sample};
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
-use crate::fft;
+use crate::fft::{self, ComplexToReal};
 
 /// How closely a circle of radius ρ is sampled. With M samples, a part ρ^M of what is M taps later
 /// is folded back, while rounding grows as ρ^(−n): ρ is a compromise.
