@@ -24,7 +24,7 @@ refuse() {
 # The crates in it, the versions of those below them, the profiles and how it is made.
 digest_of_sources() {
     find Cargo.toml Cargo.lock scripts/renew-page-engine.sh \
-        crates/{linear,sim,campaign,page}/{Cargo.toml,src} -type f -print0 |
+        crates/{numerics,linear,sim,campaign,page}/{Cargo.toml,src} -type f -print0 |
         LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum | cut -d' ' -f1
 }
 

@@ -2,8 +2,11 @@
 //! `deny.toml`, which CI checks, says what from.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
 use std::path::Path;
 use std::process::Command;
+
+use crate::{root, rust_files};
 
 /// The features of each package that others are built from.
 fn features(of: &[&str]) -> BTreeMap<String, BTreeSet<String>> {
@@ -64,4 +67,45 @@ fn a_release_is_made_of_what_the_tests_are_built_from() {
     ];
     are_built_from_the_same(RELEASED, &tests);
     are_built_from_the_same(PROGRAM, &tests);
+}
+
+/// What is generic, and large: each crate that calls it compiles it again, and so do its tests.
+const GENERIC: [&str; 4] = ["faer", "gemm", "realfft", "rustfft"];
+
+/// Calls of it, where a plan or a matrix comes from `numerics`.
+const CALLS: [&str; 9] = [
+    "FftPlanner",
+    ".partial_piv_lu(",
+    ".full_piv_lu(",
+    ".llt(",
+    ".qr(",
+    ".svd(",
+    ".eigenvalues(",
+    ".self_adjoint_eigen",
+    ".norm_l2(",
+];
+
+/// Transforms are planned and matrices decomposed in `numerics` alone.
+#[test]
+fn what_is_generic_and_large_is_compiled_once() {
+    let mut callers = BTreeSet::new();
+    for entry in fs::read_dir(root().join("crates")).unwrap() {
+        let folder = entry.unwrap().path();
+        let name = folder.file_name().unwrap().to_str().unwrap().to_owned();
+        let manifest = fs::read_to_string(folder.join("Cargo.toml")).unwrap();
+        let manifest: toml::Table = manifest.parse().unwrap();
+        let tables = ["dependencies", "dev-dependencies", "build-dependencies"];
+        let tables = tables.iter().filter_map(|it| manifest.get(*it)?.as_table());
+        let mut needed = tables.flat_map(|table| table.keys());
+        if needed.any(|package| GENERIC.contains(&package.as_str())) {
+            callers.insert(name.clone());
+        }
+        for file in rust_files(&folder) {
+            let text = fs::read_to_string(file).unwrap();
+            if CALLS.iter().any(|call| text.contains(call)) {
+                callers.insert(name.clone());
+            }
+        }
+    }
+    assert_eq!(callers, BTreeSet::from(["numerics".to_owned()]));
 }

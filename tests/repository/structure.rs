@@ -265,7 +265,8 @@ fn imports_run_one_way() {
     for name in drawn().keys().filter(|name| *name != "problems") {
         let modules = Crate::read(name);
         let arrows = modules.arrows();
-        assert!(arrows.len() > 3, "{name} was not read: {arrows:?}");
+        assert!(modules.imports.len() > 3, "{name} was not read");
+        assert!(!arrows.is_empty(), "{name} has no imports");
         let folders: BTreeSet<Module> = (modules.imports.keys())
             .filter(|module| !module.is_empty())
             .map(|module| module[..module.len() - 1].to_vec())

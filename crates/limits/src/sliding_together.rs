@@ -2,8 +2,7 @@
 //! enough for one, from the exact waves.
 
 use linear::waves::lateral::BendingNetwork;
-use linear::{DrillstringError, Sites};
-use rayon::prelude::*;
+use linear::{DrillstringError, Sites, parallel};
 use sim::steady_whirl::WhirlTogether;
 
 use crate::many_sites_limit::whirling_sites;
@@ -37,10 +36,9 @@ pub fn sliding_together(
     let Setting { string, sites, .. } = setting;
     let network = BendingNetwork::new(string, lateral.bending, lateral.support, sites)?;
     let whirling = whirling_sites(setting, lateral, &network);
-    let found: Vec<(f64, Option<WhirlTogether>)> = speeds([slowest, fastest])
-        .into_par_iter()
-        .map(|speed| (speed, whirling.least_together(speed / to_rpm(1.0))))
-        .collect();
+    let found = parallel::each(speeds([slowest, fastest]), |speed| {
+        (speed, whirling.least_together(speed / to_rpm(1.0)))
+    });
     let mut least: Option<WhirlTogether> = None;
     let mut points = Vec::new();
     for (speed, found) in found {

@@ -7,8 +7,7 @@ use std::iter;
 
 use linear::estimates::bending_decay_rate;
 use linear::waves::lateral::BendingNetwork;
-use linear::{DrillstringError, Sites};
-use rayon::prelude::*;
+use linear::{DrillstringError, Sites, parallel};
 use serde::{Deserialize, Deserializer, de};
 use sim::steady_whirl::MOST_FRICTION;
 use sim::{SteadyWhirl, WhirlingSite};
@@ -115,10 +114,9 @@ pub fn whirl_limit(
     range_rpm: [f64; 2],
 ) -> Result<Vec<WhirlPoint>, DrillstringError> {
     let range = range_rpm.map(|speed| speed / to_rpm(1.0));
-    let sites = (0..setting.sites.len()).into_par_iter().rev();
-    let whirls = sites
-        .map(|site| of_site(setting, lateral, site, range))
-        .collect::<Result<Vec<_>, _>>()?;
+    let sites = (0..setting.sites.len()).rev().collect();
+    let whirls = parallel::each(sites, |site| of_site(setting, lateral, site, range));
+    let whirls = whirls.into_iter().collect::<Result<Vec<_>, _>>()?;
     let mut points: Vec<WhirlPoint> = whirls.iter().flat_map(rolling_points).collect();
     points.extend(of_any_motion(&whirls, range));
     for point in &mut points {

@@ -44,6 +44,7 @@ use crate::elements::newmark::Weights;
 use crate::elements::recurrence::ElementChain;
 use crate::error::BuildError;
 use crate::estimates::torsional_impedance;
+use crate::filters::ResponseAt;
 use crate::filters::quadrature::{Formula, Sampling, buffers, series};
 use crate::method::Method;
 use crate::responses::length::{MOST_TAPS, needed_taps, too_many, transformable};
@@ -449,7 +450,7 @@ impl Lengths {
         &self,
         scales: &[f64],
         budget: &Budget,
-        response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
+        response: &ResponseAt<'_>,
     ) -> Result<Vec<Vec<f64>>, BuildError> {
         let mut length = self.first;
         loop {

@@ -1,5 +1,6 @@
 //! What can go wrong between a drillstring and its impulse responses.
 
+use numerics::NumericsError;
 use thiserror::Error;
 
 use crate::budget::OutOfBudget;
@@ -304,4 +305,12 @@ pub enum BuildError {
         /// What the solver said.
         reason: String,
     },
+}
+
+impl From<NumericsError> for BuildError {
+    fn from(error: NumericsError) -> Self {
+        Self::Factorisation {
+            reason: error.to_string(),
+        }
+    }
 }

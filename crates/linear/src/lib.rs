@@ -97,7 +97,6 @@ pub mod elements;
 mod error;
 pub mod estimates;
 pub mod falling_torque;
-pub mod fft;
 pub mod filters;
 mod in_mud;
 pub mod loss;
@@ -127,6 +126,7 @@ pub use drillstring::{Bending, Drillstring, Material, Section, StringId, Surface
 pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;
 pub use num_complex::Complex64;
+pub use numerics::fft;
 pub use pulse::RaisedCosine;
 pub use responses::{
     ChannelRequest, ChannelResponses, Earlier, ImpulseTrains, MarginPlan, Request, ResponsePlan,

@@ -20,8 +20,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use faer::Mat;
 use num_complex::Complex64;
+use numerics::{Mat, eigenvalues};
 
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
@@ -231,11 +231,7 @@ fn lumped_poles(string: &Drillstring, count: usize) -> Result<Vec<Complex64>, Bu
             0.0
         }
     });
-    let found = matrix
-        .eigenvalues()
-        .map_err(|error| BuildError::Factorisation {
-            reason: format!("{error:?}"),
-        })?;
+    let found = eigenvalues::general(&matrix)?;
     let mut poles: Vec<Complex64> = found.into_iter().filter(|pole| pole.im > 0.0).collect();
     poles.sort_by(|one, other| one.im.total_cmp(&other.im));
     Ok(poles)

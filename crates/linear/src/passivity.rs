@@ -40,13 +40,12 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use faer::{Mat, Side};
 use num_complex::Complex64;
-use realfft::RealToComplex;
+use numerics::{Mat, eigenvalues};
 
 use crate::budget::COMPLEX;
 use crate::error::{BuildError, ResponseError};
-use crate::fft;
+use crate::fft::{self, RealToComplex};
 
 /// Below this margin a response is counted as unstable in sticking. Rounding
 /// and the cut tail of a response stay well within it.
@@ -236,7 +235,7 @@ impl HermitianPart {
                 for input in 0..self.inputs {
                     matrix[(input, input)] -= smallest.0;
                 }
-                if matrix.llt(Side::Lower).is_ok() {
+                if eigenvalues::are_positive(&matrix) {
                     continue;
                 }
             }
@@ -250,19 +249,17 @@ impl HermitianPart {
 }
 
 fn smallest_eigenvalue(hermitian: &Mat<Complex64>) -> Result<f64, BuildError> {
-    let eigenvalues = hermitian
-        .self_adjoint_eigenvalues(Side::Lower)
+    let rising = eigenvalues::of_hermitian(hermitian)
         .map_err(|_| BuildError::NotFinite { method: "taps" })?;
-    Ok(eigenvalues[0])
+    Ok(rising[0])
 }
 
 /// The eigenvector of the smallest eigenvalue. Reciprocity makes the Hermitian
 /// part real, and so the eigenvector, but for a factor.
 fn worst_direction(hermitian: &Mat<Complex64>) -> Result<Vec<f64>, BuildError> {
-    let decomposition = hermitian
-        .self_adjoint_eigen(Side::Lower)
+    let (_, vectors) = eigenvalues::with_vectors(hermitian)
         .map_err(|_| BuildError::NotFinite { method: "taps" })?;
-    let vector = decomposition.U().col(0);
+    let vector = vectors.col(0);
     let largest = (vector.iter().copied())
         .max_by(|one, other| one.norm().total_cmp(&other.norm()))
         .unwrap_or(Complex64::new(1.0, 0.0));

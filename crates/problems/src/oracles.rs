@@ -1,6 +1,5 @@
 //! Answers from closed forms and from formulations the library does not use.
 
-use faer::{Mat, mat};
 use linear::Complex64;
 use linear::{Drillstring, Tube};
 
@@ -18,15 +17,25 @@ pub fn free_bit_speed(time: f64, travel_time: f64, surface: impl Fn(f64) -> f64)
     speed
 }
 
+/// A matrix of two rows of two.
+pub type TwoByTwo = [[Complex64; 2]; 2];
+
+/// The product of two of them.
+pub fn times(one: &TwoByTwo, other: &TwoByTwo) -> TwoByTwo {
+    one.map(|[left, right]| {
+        std::array::from_fn(|column| left * other[0][column] + right * other[1][column])
+    })
+}
+
 /// Transfer matrix of (rotation, internal torque) across one tube, from Eq. 3
 /// with hyperbolic functions as they stand.
-pub fn transfer_matrix(string: &Drillstring, tube: &Tube, s: Complex64) -> Mat<Complex64> {
+pub fn transfer_matrix(string: &Drillstring, tube: &Tube, s: Complex64) -> TwoByTwo {
     let material = string.material();
     let rigidity = material.shear_modulus * tube.polar_moment();
     let inertia = material.density * tube.polar_moment();
     let gamma = (s * (string.torsional_damping() + s * inertia) / rigidity).sqrt();
     let x = gamma * tube.length;
-    mat![
+    [
         [x.cosh(), x.sinh() / (gamma * rigidity)],
         [x.sinh() * gamma * rigidity, x.cosh()],
     ]
@@ -45,8 +54,8 @@ pub fn free_torque(string: &Drillstring, s: Complex64) -> Complex64 {
         for _ in 0..section.repeat {
             for m in &tubes {
                 (rotation, torque) = (
-                    m[(0, 0)] * rotation + m[(0, 1)] * torque,
-                    m[(1, 0)] * rotation + m[(1, 1)] * torque,
+                    m[0][0] * rotation + m[0][1] * torque,
+                    m[1][0] * rotation + m[1][1] * torque,
                 );
                 let size = (rotation * torque).norm().sqrt();
                 if size > 1e100 {
@@ -79,20 +88,16 @@ pub fn turned(function: &impl Fn(Complex64) -> Complex64, from: Complex64, to: C
 
 /// Dynamic stiffness (top, cross, bottom) from a transfer matrix: rotations to
 /// external torques −T at the top, +T at the bottom.
-pub fn stiffness_of_transfer(m: &Mat<Complex64>) -> [Complex64; 3] {
-    let flexibility = m[(0, 1)].inv();
-    [
-        m[(0, 0)] * flexibility,
-        -flexibility,
-        m[(1, 1)] * flexibility,
-    ]
+pub fn stiffness_of_transfer(m: &TwoByTwo) -> [Complex64; 3] {
+    let flexibility = m[0][1].inv();
+    [m[0][0] * flexibility, -flexibility, m[1][1] * flexibility]
 }
 
 /// The paper's chain of `count` cells by eigenvectors (Eqs. 6–10), with the
 /// growing wave scaled at its far end.
-pub fn eigenvector_chain(cell: &Mat<Complex64>, count: usize) -> [Complex64; 3] {
-    let trace = cell[(0, 0)] + cell[(1, 1)];
-    let determinant = cell[(0, 0)] * cell[(1, 1)] - cell[(0, 1)] * cell[(1, 0)];
+pub fn eigenvector_chain(cell: &TwoByTwo, count: usize) -> [Complex64; 3] {
+    let trace = cell[0][0] + cell[1][1];
+    let determinant = cell[0][0] * cell[1][1] - cell[0][1] * cell[1][0];
     let root = (trace * trace / 4.0 - determinant).sqrt();
     let candidates = [trace / 2.0 + root, trace / 2.0 - root];
     let growing = if candidates[0].norm() >= candidates[1].norm() {
@@ -102,26 +107,26 @@ pub fn eigenvector_chain(cell: &Mat<Complex64>, count: usize) -> [Complex64; 3] 
     };
     let large = candidates[growing];
     let small = determinant / large;
-    let vector = |lambda: Complex64| [cell[(0, 1)], lambda - cell[(0, 0)]];
+    let vector = |lambda: Complex64| [cell[0][1], lambda - cell[0][0]];
     let (p, q) = (vector(large), vector(small));
     let scaled = large.powi(-(count as i32));
     let far = small.powi(count as i32);
     // Rotations at both ends and torques at both ends, Eq. 8 times Eq. 10.
-    let rotations = mat![[p[0] * scaled, q[0]], [p[0], q[0] * far]];
-    let torques = mat![[p[1] * scaled, q[1]], [p[1], q[1] * far]];
-    let determinant = rotations[(0, 0)] * rotations[(1, 1)] - rotations[(0, 1)] * rotations[(1, 0)];
-    let inverse = mat![
+    let rotations = [[p[0] * scaled, q[0]], [p[0], q[0] * far]];
+    let torques = [[p[1] * scaled, q[1]], [p[1], q[1] * far]];
+    let determinant = rotations[0][0] * rotations[1][1] - rotations[0][1] * rotations[1][0];
+    let inverse = [
         [
-            rotations[(1, 1)] / determinant,
-            -rotations[(0, 1)] / determinant
+            rotations[1][1] / determinant,
+            -rotations[0][1] / determinant,
         ],
         [
-            -rotations[(1, 0)] / determinant,
-            rotations[(0, 0)] / determinant
+            -rotations[1][0] / determinant,
+            rotations[0][0] / determinant,
         ],
     ];
-    let relation = &torques * &inverse;
-    [-relation[(0, 0)], -relation[(0, 1)], relation[(1, 1)]]
+    let relation = times(&torques, &inverse);
+    [-relation[0][0], -relation[0][1], relation[1][1]]
 }
 
 /// Fails unless one number is another, to a part of it.

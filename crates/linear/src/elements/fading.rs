@@ -1,7 +1,7 @@
 //! Loss with a memory as elements have it that are stepped: a dashpot with a spring behind it at a
 //! node for each relaxation of the drag of mud, and in every element for each of its material.
 
-use faer::sparse::Triplet;
+use numerics::sparse::Entry;
 
 use super::mesh::Mesh;
 use crate::channel::Channel;
@@ -17,7 +17,7 @@ pub(crate) struct Fading {
     /// Of the elastic stiffness.
     pub material: Vec<Relaxation>,
     /// What fades of it, of weight one.
-    pub elastic: Vec<Triplet<usize, usize, f64>>,
+    pub elastic: Vec<Entry>,
 }
 
 impl Fading {
@@ -26,7 +26,7 @@ impl Fading {
         string: &Drillstring,
         drag: NodalDrag,
         dashpots: &mut [f64],
-        elastic: Vec<Triplet<usize, usize, f64>>,
+        elastic: Vec<Entry>,
     ) -> Option<Self> {
         for (dashpot, drag) in dashpots.iter_mut().zip(drag.at_rest) {
             *dashpot += drag;

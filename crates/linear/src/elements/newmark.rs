@@ -6,26 +6,21 @@
 //! the Nyquist frequency. The paper's remedy is a little numerical damping:
 //! γ = 0.52 and β = ¼(½ + γ)².
 
-use faer::linalg::solvers::Solve;
-use faer::sparse::linalg::matmul::sparse_dense_matmul;
-use faer::sparse::linalg::solvers::Llt;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Accum, MatMut, MatRef, Par, Side};
+use numerics::NumericsError;
+pub use numerics::sparse::Entry;
+use numerics::sparse::{Cholesky, SparseMatrix};
 
 use super::fading::Fading;
 use crate::checks::check_sampling;
 use crate::error::BuildError;
 use crate::method::FiniteElement;
 
-/// An entry of a sparse matrix: row, column, value; equal places are summed.
-pub type Entry = Triplet<usize, usize, f64>;
-
 /// Mass, lumped damping and stiffness of the degrees of freedom that are free.
 #[derive(Debug, Clone)]
 pub(crate) struct Matrices {
-    mass: SparseColMat<usize, f64>,
+    mass: SparseMatrix,
     damping: Vec<f64>,
-    stiffness: SparseColMat<usize, f64>,
+    stiffness: SparseMatrix,
     fading: Option<Fading>,
 }
 
@@ -38,9 +33,9 @@ impl Matrices {
     pub fn new(mass: &[Entry], damping: Vec<f64>, stiffness: &[Entry]) -> Result<Self, BuildError> {
         let size = damping.len();
         Ok(Self {
-            mass: sparse(size, mass)?,
+            mass: SparseMatrix::new(size, mass)?,
             damping,
-            stiffness: sparse(size, stiffness)?,
+            stiffness: SparseMatrix::new(size, stiffness)?,
             fading: None,
         })
     }
@@ -62,12 +57,12 @@ impl Matrices {
 
     /// Row, column and value of what the mass matrix has.
     pub fn mass_entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
-        entries(&self.mass)
+        self.mass.entries()
     }
 
     /// The same of the stiffness matrix.
     pub fn stiffness_entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
-        entries(&self.stiffness)
+        self.stiffness.entries()
     }
 
     /// A dashpot a degree of freedom.
@@ -80,9 +75,9 @@ impl Matrices {
         &self,
         damping_gain: f64,
         stiffness_gain: f64,
-    ) -> Result<SparseColMat<usize, f64>, BuildError> {
-        let scaled = |matrix: &SparseColMat<usize, f64>, gain: f64| -> Vec<Entry> {
-            entries(matrix)
+    ) -> Result<SparseMatrix, NumericsError> {
+        let scaled = |matrix: &SparseMatrix, gain: f64| -> Vec<Entry> {
+            (matrix.entries())
                 .map(|(row, column, value)| Entry::new(row, column, gain * value))
                 .collect()
         };
@@ -94,22 +89,7 @@ impl Matrices {
                 .enumerate()
                 .map(|(row, dashpot)| Entry::new(row, row, damping_gain * dashpot)),
         );
-        sparse(self.size(), &entries)
-    }
-}
-
-fn entries(matrix: &SparseColMat<usize, f64>) -> impl Iterator<Item = (usize, usize, f64)> {
-    let entries = matrix.triplet_iter();
-    entries.map(|entry| (entry.row, entry.col, *entry.val))
-}
-
-fn sparse(size: usize, entries: &[Entry]) -> Result<SparseColMat<usize, f64>, BuildError> {
-    SparseColMat::try_new_from_triplets(size, size, entries).map_err(unusable)
-}
-
-fn unusable(error: impl std::fmt::Debug) -> BuildError {
-    BuildError::Factorisation {
-        reason: format!("{error:?}"),
+        SparseMatrix::new(self.size(), &entries)
     }
 }
 
@@ -250,7 +230,7 @@ impl Motion {
 pub(crate) struct Integrator {
     weights: Weights,
     matrices: Matrices,
-    effective_mass: Llt<usize, f64>,
+    effective_mass: Cholesky,
 }
 
 impl Integrator {
@@ -266,7 +246,7 @@ impl Integrator {
         Ok(Self {
             weights,
             matrices,
-            effective_mass: effective.sp_cholesky(Side::Lower).map_err(unusable)?,
+            effective_mass: Cholesky::new(&effective)?,
         })
     }
 
@@ -282,28 +262,18 @@ impl Integrator {
 
     /// Turns forces into the accelerations they cause within the step.
     pub fn solve(&self, forces: &mut [f64]) {
-        let size = forces.len();
-        self.effective_mass
-            .solve_in_place(MatMut::from_column_major_slice_mut(forces, size, 1));
+        self.effective_mass.solve(forces);
     }
 
     /// Adds −C u̇ − K u of a predicted motion to `forces`.
     pub fn add_internal_forces(&self, motion: &Motion, forces: &mut [f64]) {
-        let size = forces.len();
         for ((force, dashpot), velocity) in (forces.iter_mut())
             .zip(&self.matrices.damping)
             .zip(&motion.velocity)
         {
             *force -= dashpot * velocity;
         }
-        sparse_dense_matmul(
-            MatMut::from_column_major_slice_mut(forces, size, 1),
-            Accum::Add,
-            self.matrices.stiffness.as_ref(),
-            MatRef::from_column_major_slice(&motion.displacement, size, 1),
-            -1.0,
-            Par::Seq,
-        );
+        (self.matrices.stiffness).add_product(-1.0, &motion.displacement, forces);
     }
 }
 

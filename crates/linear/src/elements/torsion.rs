@@ -1,8 +1,6 @@
 //! Two-node torsion elements (Eq. 62): consistent mass and stiffness, lumped
 //! dashpots, the surface node's rotation prescribed, or driven.
 
-use faer::sparse::Triplet;
-
 use super::fading::{Fading, NodalDrag};
 use super::mesh::Mesh;
 use super::newmark::{Entry, Matrices};
@@ -84,11 +82,9 @@ pub fn assemble_below_drive(
         entries.add_below(&element, top + 1);
         entries.add_above(&element, top);
     }
-    entries.mass.push(Triplet::new(0, 0, drive.inertia));
+    entries.mass.push(Entry::new(0, 0, drive.inertia));
     entries.damping[0] += drive.proportional_gain;
-    entries
-        .springs
-        .push(Triplet::new(0, 0, drive.integral_gain));
+    entries.springs.push(Entry::new(0, 0, drive.integral_gain));
     entries.matrices(string, mesh, Some)
 }
 
@@ -116,21 +112,21 @@ impl Entries {
     /// What an element is to the node below it.
     fn add_below(&mut self, element: &Element, bottom: usize) {
         let own = element.inertia / 3.0;
-        self.mass.push(Triplet::new(bottom, bottom, own));
-        (self.elastic).push(Triplet::new(bottom, bottom, element.spring));
+        self.mass.push(Entry::new(bottom, bottom, own));
+        (self.elastic).push(Entry::new(bottom, bottom, element.spring));
         self.damping[bottom] += element.dashpot;
     }
 
     /// What it is to the node above it, and between this and the next one.
     fn add_above(&mut self, element: &Element, top: usize) {
         let own = element.inertia / 3.0;
-        self.mass.push(Triplet::new(top, top, own));
-        self.elastic.push(Triplet::new(top, top, element.spring));
+        self.mass.push(Entry::new(top, top, own));
+        self.elastic.push(Entry::new(top, top, element.spring));
         self.damping[top] += element.dashpot;
         for (row, column) in [(top, top + 1), (top + 1, top)] {
             let across = element.inertia / 6.0;
-            self.mass.push(Triplet::new(row, column, across));
-            (self.elastic).push(Triplet::new(row, column, -element.spring));
+            self.mass.push(Entry::new(row, column, across));
+            (self.elastic).push(Entry::new(row, column, -element.spring));
         }
     }
 

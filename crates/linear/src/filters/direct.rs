@@ -2,8 +2,7 @@
 //! to show that it fails (start of Section 2.4): between its samples the
 //! spectrum of these taps is not positive-real, and a sticking bit chatters.
 
-use super::{Buffers, frequency_grid, inverse_transform, sample};
-use crate::assembly::lanes::Lanes;
+use super::{Buffers, ResponseAt, frequency_grid, inverse_transform, sample};
 use crate::fft;
 
 /// Buffers for transforms of an even number of samples, all of which are taps.
@@ -19,11 +18,11 @@ pub(crate) fn buffers(transform_length: usize, channels: usize) -> Buffers {
 pub(crate) fn taps(
     sampling_frequency: f64,
     buffers: Buffers,
-    velocity_response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
+    velocity_response: &ResponseAt<'_>,
 ) -> Vec<Vec<f64>> {
     let grid = frequency_grid(buffers.samples, sampling_frequency);
     let plan = fft::inverse(buffers.samples);
-    sample(buffers, grid, velocity_response)
+    sample(buffers, &grid, velocity_response)
         .map(|mut spectrum| inverse_transform(&*plan, &mut spectrum))
         .collect()
 }

@@ -12,7 +12,7 @@
 //! shared between the two steps that it lies between.
 
 use super::quadrature::{self, Sampling, series};
-use super::{Buffers, radau};
+use super::{Buffers, ResponseAt, radau};
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
 
@@ -39,7 +39,7 @@ pub(crate) fn smooth_taps(
     sampling_frequency: f64,
     count: usize,
     channels: usize,
-    response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
+    response: &ResponseAt<'_>,
 ) -> Vec<Vec<f64>> {
     let rate = SUBSTEPS as f64 * sampling_frequency;
     let trains = series(

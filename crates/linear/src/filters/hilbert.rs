@@ -1,8 +1,7 @@
 //! The paper's digital filter (Eqs. 39–40): the causal sequence whose spectrum
 //! has the sampled real part of the velocity response.
 
-use super::{Buffers, frequency_grid, inverse_transform, keep, sample};
-use crate::assembly::lanes::Lanes;
+use super::{Buffers, ResponseAt, frequency_grid, inverse_transform, keep, sample};
 use crate::fft;
 
 /// Buffers for transforms of an even number of samples: half as many taps and one.
@@ -22,12 +21,12 @@ pub(crate) fn buffers(transform_length: usize, channels: usize) -> Buffers {
 pub(crate) fn taps(
     sampling_frequency: f64,
     buffers: Buffers,
-    velocity_response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
+    velocity_response: &ResponseAt<'_>,
 ) -> Vec<Vec<f64>> {
     let half = buffers.samples / 2;
     let grid = frequency_grid(buffers.samples, sampling_frequency);
     let plan = fft::inverse(buffers.samples);
-    sample(buffers, grid, velocity_response)
+    sample(buffers, &grid, velocity_response)
         .map(|mut spectrum| {
             spectrum.iter_mut().for_each(|value| value.im = 0.0);
             let sequence = inverse_transform(&*plan, &mut spectrum);

@@ -12,20 +12,23 @@ pub(crate) mod quadrature;
 pub mod radau;
 
 use num_complex::Complex64;
-use realfft::ComplexToReal;
 
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
+use crate::fft::ComplexToReal;
 use crate::parallel;
 
 pub(crate) use buffers::Buffers;
+
+/// Puts down what every channel answers at s, several of them at a time.
+pub(crate) type ResponseAt<'a> = dyn Fn(Lanes, &mut [Lanes]) + Sync + 'a;
 
 /// Evaluates every channel at `variable(0)`, …, one for each frequency of the buffers, several of
 /// them at a time; gives one spectrum a channel, each made when it is asked for.
 fn sample(
     buffers: Buffers,
-    variable: impl Fn(usize) -> Complex64 + Sync,
-    response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
+    variable: &(dyn Fn(usize) -> Complex64 + Sync),
+    response: &ResponseAt<'_>,
 ) -> impl Iterator<Item = Vec<Complex64>> {
     let (channels, count) = (buffers.channels, buffers.frequencies());
     let mut rows = vec![Complex64::ZERO; count * channels];

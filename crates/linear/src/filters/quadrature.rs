@@ -9,12 +9,11 @@
 use std::sync::Arc;
 
 use num_complex::Complex64;
-use realfft::ComplexToReal;
 
-use super::{Buffers, inverse_transform, keep, sample};
+use super::{Buffers, ResponseAt, inverse_transform, keep, sample};
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
-use crate::fft;
+use crate::fft::{self, ComplexToReal};
 
 /// How closely a circle of radius ρ is sampled. With M samples, a part ρ^M of what is M taps later
 /// is folded back, while rounding grows as ρ^(−n): ρ is a compromise.
@@ -146,7 +145,7 @@ pub fn taps(
     count: usize,
     channels: usize,
     sampling: Sampling,
-    response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
+    response: &ResponseAt<'_>,
 ) -> Vec<Vec<f64>> {
     let generating = |zeta: Lanes, values: &mut [Lanes]| {
         response(
@@ -162,12 +161,12 @@ pub(crate) fn series(
     count: usize,
     channels: usize,
     sampling: Sampling,
-    generating: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
+    generating: &ResponseAt<'_>,
 ) -> Vec<Vec<f64>> {
     let buffers = buffers(count, channels, sampling);
     let circle = circle(buffers.samples, sampling);
     let on_circle = |index: usize| circle.point(index);
-    sample(buffers, on_circle, generating)
+    sample(buffers, &on_circle, generating)
         .map(|spectrum| circle.coefficients(spectrum, count))
         .collect()
 }

@@ -7,9 +7,8 @@
 //! its walls, with weights that are not negative; there are infinitely many of them, and a few whose
 //! rates are spread evenly over the decades serve as well.
 
-use faer::linalg::solvers::SolveLstsq;
-use faer::{Col, Mat};
 use num_complex::Complex64;
+use numerics::{Col, Mat, equations, products};
 
 use super::mud::Annulus;
 use super::relaxation::{Relaxation, sum};
@@ -126,7 +125,7 @@ fn non_negative(matrix: &Mat<f64>, wanted: &Col<f64>) -> Vec<f64> {
             let found: f64 = (0..columns).map(|it| matrix[(row, it)] * weights[it]).sum();
             wanted[row] - found
         });
-        let gain = |column: usize| matrix.col(column).transpose() * &left;
+        let gain = |column: usize| products::dot(matrix.col(column), left.as_ref());
         let next = (0..columns)
             .filter(|column| !used.contains(column))
             .map(|column| (column, gain(column)))
@@ -169,8 +168,7 @@ fn least_squares(matrix: &Mat<f64>, columns: &[usize], wanted: &Col<f64>) -> Vec
     let chosen = Mat::from_fn(matrix.nrows(), columns.len(), |row, column| {
         matrix[(row, columns[column])]
     });
-    let solved = chosen.qr().solve_lstsq(wanted.as_mat());
-    (0..columns.len()).map(|row| solved[(row, 0)]).collect()
+    equations::least_squares(&chosen, wanted)
 }
 
 #[cfg(test)]

@@ -1,9 +1,8 @@
 //! Mode shapes: next to a natural frequency the string answers a load anywhere by that mode
 //! alone.
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
 use num_complex::Complex64;
+use numerics::{Mat, equations, products};
 
 use super::frequencies::{Motion, NaturalFrequencies};
 use crate::assembly::matrix::ResponseMatrix;
@@ -147,6 +146,6 @@ fn held_at(free: &Mat<Complex64>, places: &[usize]) -> Mat<Complex64> {
         free[(places[row], places[column])]
     });
     let moved = Mat::from_fn(held, sites, |row, column| free[(places[row], column)]);
-    let forces = among.partial_piv_lu().solve(&moved);
-    free - moved.transpose() * forces
+    let forces = equations::solve_complex(&among, &moved);
+    free - products::product_complex(moved.transpose(), forces.as_ref())
 }

@@ -1,10 +1,40 @@
 //! The loops over all cores of this machine.
 
+use std::sync::{Mutex, PoisonError};
+
 use rayon::prelude::*;
 
 /// Threads that loops are shared among.
 pub fn threads() -> usize {
     rayon::current_num_threads()
+}
+
+/// Calls `work` with every number below `count`. It is not generic: what rayon makes of a loop is
+/// compiled once, and not for every loop again.
+fn for_each(count: usize, at_once: usize, work: &(dyn Fn(usize) + Sync)) {
+    let numbers = (0..count).into_par_iter().with_min_len(at_once);
+    numbers.for_each(work);
+}
+
+/// What one thread puts down for another to take.
+struct Place<Item>(Mutex<Option<Item>>);
+
+impl<Item> Place<Item> {
+    fn of(item: Option<Item>) -> Self {
+        Self(Mutex::new(item))
+    }
+
+    fn put(&self, item: Item) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(item);
+    }
+
+    /// What is there; a panic where nothing is.
+    fn take(&self) -> Item {
+        let mut place = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        place
+            .take()
+            .expect("each place is filled once, and emptied once")
+    }
 }
 
 /// The `answer` for every number below `count`; a thread takes at least `at_once` of them at a
@@ -14,8 +44,9 @@ pub fn map<Answer: Send>(
     at_once: usize,
     answer: impl Fn(usize) -> Answer + Sync + Send,
 ) -> Vec<Answer> {
-    let numbers = (0..count).into_par_iter().with_min_len(at_once);
-    numbers.map(answer).collect()
+    let places: Vec<Place<Answer>> = (0..count).map(|_| Place::of(None)).collect();
+    for_each(count, at_once, &|number| places[number].put(answer(number)));
+    places.iter().map(Place::take).collect()
 }
 
 /// What `answer` says of each item.
@@ -23,7 +54,10 @@ pub fn each<Item: Send, Answer: Send>(
     items: Vec<Item>,
     answer: impl Fn(Item) -> Answer + Sync + Send,
 ) -> Vec<Answer> {
-    items.into_par_iter().map(answer).collect()
+    let items: Vec<Place<Item>> = (items.into_iter())
+        .map(|item| Place::of(Some(item)))
+        .collect();
+    map(items.len(), 1, |number| answer(items[number].take()))
 }
 
 /// As [`map`], the answers joined, neighbours with neighbours, the earlier first.

@@ -325,8 +325,10 @@ fn val_rows_of_cells_agree_with_the_eigenvectors_of_the_paper() {
     for count in [1, 2, 7, 90, 500] {
         for omega in [0.5, 11.0, 200.0, 980.0, 1000.0, 1900.0] {
             let s = Complex64::new(0.0, omega);
-            let cell = &super::oracles::transfer_matrix(&string, &parts[1], s)
-                * &super::oracles::transfer_matrix(&string, &parts[0], s);
+            let cell = super::oracles::times(
+                &super::oracles::transfer_matrix(&string, &parts[1], s),
+                &super::oracles::transfer_matrix(&string, &parts[0], s),
+            );
             let [top, cross, bottom] = super::oracles::eigenvector_chain(&cell, count);
             let section = Section {
                 repeat: count,
@@ -354,7 +356,7 @@ fn val_plain_products_of_transfer_matrices_overflow_where_joined_stiffnesses_do_
     let s = Complex64::new(0.0, 2000.0);
     let part = tube(10.0, 0.125);
     let cell = super::oracles::transfer_matrix(&string, &part, s);
-    let product = (0..2000).fold(cell.clone(), |product, _| &cell * &product);
+    let product = (0..2000).fold(cell, |product, _| super::oracles::times(&cell, &product));
     let [top, ..] = super::oracles::stiffness_of_transfer(&product);
     assert!(!top.is_finite(), "the product was expected to overflow");
     let section = Section {

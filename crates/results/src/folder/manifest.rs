@@ -175,7 +175,7 @@ impl Manifest {
             tally: Tally::default(),
             files: BTreeMap::new(),
             trace: None,
-            threads: rayon::current_num_threads(),
+            threads: linear::parallel::threads(),
             wall_seconds: 0.0,
             map: sweep.map.clone(),
             sweep: sweep.content.clone(),

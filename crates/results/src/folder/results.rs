@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::Result;
-use rayon::prelude::*;
+use linear::parallel;
 
 use super::about::About;
 use super::failures::{FAILURES_HEADER, failures_row, repeat_command};
@@ -56,14 +56,13 @@ impl<'a> TableWriter<'a> {
         let certainties = self.table.certainties(records);
         let blocks = certainties.chunks(ROWS_AT_ONCE);
         for (records, certainties) in records.chunks(ROWS_AT_ONCE).zip(blocks) {
-            let rows: Vec<String> = (records.par_iter().zip(certainties))
-                .map(|(record, certainty)| self.table.row(record, *certainty) + "\n")
-                .collect();
+            let row = |place: usize| self.table.row(&records[place], certainties[place]) + "\n";
+            let rows = parallel::map(records.len(), 1, row);
             self.labels.write(rows.concat().as_bytes())?;
-            let lines: Vec<String> = (records.par_iter())
-                .map(|record| Ok(serde_json::to_string(record)? + "\n"))
-                .collect::<Result<_>>()?;
-            self.records.write(&lines.concat())?;
+            let line = |place: usize| serde_json::to_string(&records[place]);
+            let lines = parallel::map(records.len(), 1, line).into_iter();
+            let lines = lines.collect::<Result<Vec<_>, _>>()?;
+            self.records.write(&(lines.join("\n") + "\n"))?;
             let mut rows = records.iter().zip(certainties);
             rows.try_for_each(|(record, certainty)| self.count(record, *certainty))?;
         }

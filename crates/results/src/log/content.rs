@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
+use linear::parallel;
 
 use super::about::parse_about;
 use super::error::{LogError, file_error};
@@ -157,8 +157,8 @@ impl LogView {
                 if lines.is_empty() {
                     break;
                 }
-                let parsed = lines.par_iter().filter_map(|line| parse_record(line));
-                records.par_extend(parsed.filter(is_of_block));
+                let parsed = parallel::map(lines.len(), 1, |line| parse_record(&lines[line]));
+                records.extend(parsed.into_iter().flatten().filter(is_of_block));
             }
             records.sort_by_key(|record| (record.case, record.method));
             records.dedup_by_key(|record| (record.case, record.method));

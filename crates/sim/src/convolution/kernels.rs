@@ -3,10 +3,9 @@
 use std::sync::Arc;
 
 use linear::budget::REAL;
-use linear::{ResponseError, fft};
+use linear::fft::{self, ComplexToReal, RealToComplex};
+use linear::{Complex64, ResponseError};
 use pulp::Arch;
-use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealToComplex};
 
 use super::partition::{FIRST_BLOCK, LANES, partitions};
 
@@ -87,8 +86,8 @@ fn tap(taps: &[f64], lag: usize) -> f64 {
 pub(super) fn transform(
     plan: &dyn RealToComplex<f64>,
     signal: &mut [f64],
-    spectrum: &mut [Complex<f64>],
-    scratch: &mut [Complex<f64>],
+    spectrum: &mut [Complex64],
+    scratch: &mut [Complex64],
 ) {
     plan.process_with_scratch(signal, spectrum, scratch)
         .expect("all buffers were made by the plan");
@@ -96,7 +95,7 @@ pub(super) fn transform(
 
 /// The spectrum of a real signal as real parts and then imaginary ones, for products without
 /// shuffling; in the place of the first of these, which is zero, the last real part.
-pub(super) fn split(spectrum: &[Complex<f64>], parts: &mut [f64]) {
+pub(super) fn split(spectrum: &[Complex64], parts: &mut [f64]) {
     let (real, imaginary) = parts.split_at_mut(parts.len() / 2);
     for ((value, real), imaginary) in spectrum.iter().zip(real).zip(&mut *imaginary) {
         (*real, *imaginary) = (value.re, value.im);
@@ -105,13 +104,13 @@ pub(super) fn split(spectrum: &[Complex<f64>], parts: &mut [f64]) {
 }
 
 /// The other way.
-pub(super) fn join(parts: &[f64], spectrum: &mut [Complex<f64>]) {
+pub(super) fn join(parts: &[f64], spectrum: &mut [Complex64]) {
     let (real, imaginary) = parts.split_at(parts.len() / 2);
     for ((value, &re), &im) in spectrum.iter_mut().zip(real).zip(imaginary) {
-        *value = Complex::new(re, im);
+        *value = Complex64::new(re, im);
     }
     spectrum[0].im = 0.0;
-    spectrum[imaginary.len()] = Complex::new(imaginary[0], 0.0);
+    spectrum[imaginary.len()] = Complex64::new(imaginary[0], 0.0);
 }
 
 impl Kernels {

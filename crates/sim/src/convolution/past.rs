@@ -2,8 +2,8 @@
 
 use std::cell::RefCell;
 
+use linear::Complex64;
 use linear::budget::REAL;
-use realfft::num_complex::Complex;
 
 use super::kernels::{Kernels, Level};
 use super::partition::{FIRST_BLOCK, RATIO, partitions};
@@ -32,8 +32,8 @@ pub(super) struct Past {
     pub(super) known: Vec<f64>,
     pub(super) levels: Vec<PastLevel>,
     pub(super) window: Vec<f64>,
-    pub(super) spectrum: Vec<Complex<f64>>,
-    pub(super) scratch: Vec<Complex<f64>>,
+    pub(super) spectrum: Vec<Complex64>,
+    pub(super) scratch: Vec<Complex64>,
     pub(super) sums: Vec<f64>,
 }
 

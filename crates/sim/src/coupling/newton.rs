@@ -3,8 +3,7 @@
 //! differentiated numerically. Between sticking and sliding, touching and not, the answer has
 //! kinks; a step that leaves the ports further apart is shortened, or not taken.
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
+use numerics::{Mat, equations};
 
 use super::loads::Load;
 use super::ports::{Coupling, Free, Solved, Unloaded};
@@ -175,7 +174,7 @@ fn newton_change(
         own - slopes[here][component][input] * felt
     });
     let right = Mat::from_fn(size, 1, |row, _| misses[row / COMPONENTS][row % COMPONENTS]);
-    let change = matrix.partial_piv_lu().solve(&right);
+    let change = equations::solve(&matrix, &right);
     let of_port = |port: usize| std::array::from_fn(|it| change[(COMPONENTS * port + it, 0)]);
     (0..ports.len()).map(of_port).collect()
 }

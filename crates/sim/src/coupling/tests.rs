@@ -1,5 +1,4 @@
-use faer::Mat;
-use faer::linalg::solvers::Solve;
+use numerics::{Mat, equations};
 
 use super::gauss_seidel::{COUPLING_TOLERANCE, MOST_TURNS};
 use super::*;
@@ -290,7 +289,7 @@ impl Walls {
                 }
             }
             let right = Mat::from_fn(size, 1, |row, _| -here[row]);
-            let change = slopes.partial_piv_lu().solve(&right);
+            let change = equations::solve(&slopes, &right);
             for (index, unknown) in unknowns.iter_mut().flatten().enumerate() {
                 *unknown += change[(index, 0)];
             }

@@ -4,17 +4,16 @@
 
 use std::sync::Arc;
 
+use linear::Complex64;
 use linear::budget::REAL;
-use linear::fft;
-use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealToComplex};
+use linear::fft::{self, ComplexToReal, RealToComplex};
 
 /// The response of a bit to its own torque, ready for one convolution with as much
 /// of the past as it remembers.
 #[derive(Clone)]
 pub(crate) struct LookAhead {
     memory: usize,
-    spectrum: Vec<Complex<f64>>,
+    spectrum: Vec<Complex64>,
     /// Responses to a torque of one that lasts, and to one that grows by one a step.
     step_response: Vec<f64>,
     ramp_response: Vec<f64>,

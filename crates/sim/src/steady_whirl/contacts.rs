@@ -7,9 +7,8 @@
 //! site slides slower than it would roll, ωρ_j ≤ ΩR_j. One phase is arbitrary, so that with μ there
 //! are as many unknowns as equations. Newton's method solves them.
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
 use linear::Complex64;
+use numerics::{Mat, equations};
 
 use super::MOST_FRICTION;
 use super::newton::root;
@@ -78,7 +77,7 @@ impl<'a> Contacts<'a> {
         let count = set.len();
         let receptance = Mat::from_fn(count, count, |to, from| here.receptance(set[to], set[from]));
         let unit = Mat::<Complex64>::identity(count, count);
-        let stiffness = receptance.partial_piv_lu().solve(unit);
+        let stiffness = equations::solve_complex(&receptance, &unit);
         let size =
             |index: usize| stiffness[(index, index)].norm() * here.walls[set[index]].clearance;
         Some(Self {

@@ -1,7 +1,6 @@
 //! Newton's method for a few unknowns, with steps that are halved until they help.
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
+use numerics::{Mat, equations};
 
 /// Steps, and how often one is halved.
 const STEPS: usize = 40;
@@ -23,7 +22,7 @@ pub(super) fn root(start: Vec<f64>, left: impl Fn(&[f64]) -> Vec<f64>) -> Option
             return Some(place);
         }
         let right = Mat::from_fn(here.len(), 1, |row, _| -here[row]);
-        let step = slopes(&place, &left).partial_piv_lu().solve(right);
+        let step = equations::solve(&slopes(&place, &left), &right);
         (place, here) = (0..HALVINGS).find_map(|halving| {
             let part = 0.5_f64.powi(halving);
             let moved = place.iter().enumerate();

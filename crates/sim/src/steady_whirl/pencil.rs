@@ -14,9 +14,10 @@
 //! and with P + (2Λ + 1)ε and Q + ε in place of P and Q the ratio is never too small, as long as
 //! neither is off by more than ε.
 
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
 use linear::Complex64;
+use numerics::equations::Elimination;
+use numerics::products::{norm, product};
+use numerics::{Mat, eigenvalues};
 
 /// What P and Q are off by at most, in parts of their norm, with each site in units in which
 /// its driving-point receptance is one. The receptances of strings of 100 m to 5 km differ by
@@ -55,7 +56,7 @@ impl Pencil {
             })
         };
         let (pressing, losing) = (scaled(|it| it.re), scaled(|it| it.im));
-        let off = ROUNDING * pressing.norm_l2().hypot(losing.norm_l2());
+        let off = ROUNDING * norm(&pressing).hypot(norm(&losing));
         let mut pencil = Self {
             pressing,
             losing,
@@ -79,7 +80,7 @@ impl Pencil {
         let size = self.losing.nrows();
         let alike = Mat::from_fn(size, 1, |_, _| 1.0);
         let works = self.forces().map_or(alike, |forces| {
-            let displacements = &self.pressing * &forces;
+            let displacements = product(&self.pressing, &forces);
             Mat::from_fn(size, 1, |site, _| {
                 forces[(site, 0)] * displacements[(site, 0)]
             })
@@ -93,16 +94,18 @@ impl Pencil {
     /// not found. By inverse iteration, from forces that are not symmetric.
     pub fn forces(&self) -> Option<Mat<f64>> {
         let ratio = self.greatest? * (1.0 + NEAR);
-        let losing = self.raised_losing();
-        let gap = faer::Scale(ratio) * &losing - self.raised_pressing();
-        let gap = gap.partial_piv_lu();
+        let (pressing, losing) = (self.raised_pressing(), self.raised_losing());
         let size = losing.nrows();
+        let gap = Elimination::new(&Mat::from_fn(size, size, |row, column| {
+            ratio * losing[(row, column)] - pressing[(row, column)]
+        }));
         let start = Mat::from_fn(size, 1, |site, _| (size + site) as f64);
         let forces = (0..STEPS).fold(start, |forces, _| {
-            let next = gap.solve(&losing * forces);
-            faer::Scale(next.norm_l2().recip()) * next
+            let next = gap.solve(&product(&losing, &forces));
+            let scale = norm(&next).recip();
+            Mat::from_fn(size, 1, |site, _| scale * next[(site, 0)])
         });
-        forces.norm_l2().is_finite().then_some(forces)
+        norm(&forces).is_finite().then_some(forces)
     }
 
     /// P + (2Λ + 1)ε.
@@ -121,14 +124,8 @@ impl Pencil {
         if !self.off.is_finite() {
             return None;
         }
-        // With Q = LLᵀ those of L⁻¹PL⁻ᵀ.
-        let losses = self.raised_losing().llt(Side::Lower).ok()?;
-        let mut reduced = self.raised_pressing();
-        losses.L().solve_lower_triangular_in_place(&mut reduced);
-        let mut reduced = reduced.transpose().to_owned();
-        losses.L().solve_lower_triangular_in_place(&mut reduced);
         // They rise.
-        let ratios = reduced.self_adjoint_eigenvalues(Side::Lower).ok()?;
+        let ratios = eigenvalues::of_pencil(&self.raised_pressing(), &self.raised_losing()).ok()?;
         ratios.last().copied()
     }
 }

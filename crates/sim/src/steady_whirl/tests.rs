@@ -1,7 +1,8 @@
 use std::cell::Cell;
 
-use faer::{Mat, Side};
 use linear::Complex64;
+use numerics::products::{norm, product_complex};
+use numerics::{Mat, eigenvalues};
 use proptest::prelude::*;
 
 use super::pencil::Pencil;
@@ -554,19 +555,23 @@ fn by_eigenvectors(receptance: &[Complex64], most: f64) -> f64 {
         })
     };
     let (mut pressing, losing) = (part(|it| it.re), part(|it| it.im));
-    let off = 3e-11 * pressing.norm_l2().hypot(losing.norm_l2());
-    let losses = losing.self_adjoint_eigen(Side::Lower).unwrap();
+    let off = 3e-11 * norm(&pressing).hypot(norm(&losing));
+    let complex = |real: &Mat<f64>| {
+        Mat::from_fn(size, size, |row, column| {
+            Complex64::from(real[(row, column)])
+        })
+    };
+    let (losses, directions) = eigenvalues::with_vectors(&complex(&losing)).unwrap();
     let basis = Mat::from_fn(size, size, |row, column| {
-        let loss = losses.S()[column].max(0.0) + off;
-        losses.U()[(row, column)] / loss.sqrt()
+        directions[(row, column)] / (losses[column].max(0.0) + off).sqrt()
     });
     for site in 0..size {
         pressing[(site, site)] += (2.0 * most + 1.0) * off;
     }
-    let ratios = (basis.transpose() * pressing * &basis)
-        .self_adjoint_eigenvalues(Side::Lower)
-        .unwrap();
-    ratios[size - 1].min(most)
+    let pressed = product_complex(complex(&pressing).as_ref(), basis.as_ref());
+    let basis = basis.adjoint().to_owned();
+    let ratios = eigenvalues::of_hermitian(&product_complex(basis.as_ref(), pressed.as_ref()));
+    ratios.unwrap()[size - 1].min(most)
 }
 
 /// The least friction of one site against a rigid wall, by its dynamic stiffness.

@@ -12,8 +12,7 @@
 
 use linear::estimates::{torsional_decay_rate, torsional_impedance, torsional_travel_time};
 use linear::passivity::Ending;
-use linear::{Channel, ChannelResponses, Drillstring, Method, Responses, Sites};
-use rayon::prelude::*;
+use linear::{Channel, ChannelResponses, Drillstring, Method, Responses, Sites, parallel};
 
 /// Taps last until waves have decayed to e^(−26), 5e-12.
 const DECAY_TIMES: f64 = 26.0;
@@ -116,29 +115,23 @@ impl UniformTube {
 
     fn means_after_torque(&self, step: f64, count: usize) -> Vec<f64> {
         let speed = |place: f64| self.speed_after_torque(place * step);
-        let means = (0..count).into_par_iter();
-        means
-            .map(|index| {
-                let at = POINTS.map(|point| speed(index as f64 + point));
-                0.5 * (at[0] + at[1])
-            })
-            .collect()
+        parallel::map(count, 1, |index| {
+            let at = POINTS.map(|point| speed(index as f64 + point));
+            0.5 * (at[0] + at[1])
+        })
     }
 
     fn means_after_surface(&self, steps_to_bit: usize, count: usize) -> Vec<f64> {
         let step = self.travel / steps_to_bit as f64;
         // By how much the speed grows in a step, and the mean of how much it has grown.
-        let grown: Vec<[f64; 2]> = (0..count)
-            .into_par_iter()
-            .map(|index| {
-                let at = POINTS.map(|point| {
-                    let change = self.change_after_surface((index as f64 + point) * step);
-                    0.5 * step * change
-                });
-                let mean = at[0] * (1.0 - POINTS[0]) + at[1] * (1.0 - POINTS[1]);
-                [at[0] + at[1], mean]
-            })
-            .collect();
+        let grown: Vec<[f64; 2]> = parallel::map(count, 1, |index| {
+            let at = POINTS.map(|point| {
+                let change = self.change_after_surface((index as f64 + point) * step);
+                0.5 * step * change
+            });
+            let mean = at[0] * (1.0 - POINTS[0]) + at[1] * (1.0 - POINTS[1]);
+            [at[0] + at[1], mean]
+        });
         let mut speed = 0.0;
         (grown.iter().enumerate())
             .map(|(index, [whole, mean])| {

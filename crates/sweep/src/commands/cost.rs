@@ -6,7 +6,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use rayon::prelude::*;
+use linear::parallel;
 use sim::Scene;
 
 use campaign::design::Design;
@@ -49,7 +49,7 @@ pub enum WallTime {
 /// What a sweep costs, in words: the memory it takes at most, the limit on that, and
 /// its time.
 pub fn cost_lines(memory: &Estimate, limit: &Limit, time: &WallTime) -> String {
-    let threads = counted(rayon::current_num_threads(), "thread");
+    let threads = counted(parallel::threads(), "thread");
     let time = match time {
         WallTime::About(seconds) => {
             format!("{} on {threads}, by a short probe", in_words(*seconds))
@@ -111,7 +111,7 @@ impl Pace {
             Design::Trace(_) if strings < design.cases() => BUILT_BY_A_TRACE * strings as f64,
             _ => part * strings as f64,
         };
-        let stepped = simulations as f64 * self.stepping / rayon::current_num_threads() as f64;
+        let stepped = simulations as f64 * self.stepping / parallel::threads() as f64;
         (1.0 + varied) * self.building + stepped
     }
 }
@@ -184,7 +184,7 @@ fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, options: RunOpti
     };
     let start = Instant::now();
     let cases = sweep.design.cases();
-    let count = cases.min(CASES_PER_THREAD * rayon::current_num_threads());
+    let count = cases.min(CASES_PER_THREAD * parallel::threads());
     let most = prepared.min(STEPS / sweep.setting.sampling_frequency);
     let of_case = |index: usize| -> Option<f64> {
         if start.elapsed() > STEPPING {
@@ -201,7 +201,8 @@ fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, options: RunOpti
         }
         Some(begun.elapsed().as_secs_f64() / part)
     };
-    let times: Vec<f64> = (0..count).into_par_iter().filter_map(of_case).collect();
+    let times = parallel::map(count, 1, of_case);
+    let times: Vec<f64> = times.into_iter().flatten().collect();
     times.iter().sum::<f64>() / (times.len() * systems.len()).max(1) as f64
 }
 

@@ -5,7 +5,7 @@
 //! has its own amplitude at its line, to 4 % between two lines (each stretch is transformed with as
 //! many zeros). Bands, even in the logarithm of the frequency, show the largest line within.
 
-use realfft::RealFftPlanner;
+use linear::fft;
 
 /// Stretches at most: a picture shows no more.
 const MOST_STRETCHES: usize = 80;
@@ -57,7 +57,7 @@ pub fn spectrogram(values: &[f64], sampling: f64, stretch: f64) -> Option<Spectr
         .map(|step| 0.5 - 0.5 * (std::f64::consts::TAU * step as f64 / steps as f64).cos())
         .collect();
     let weight: f64 = window.iter().sum();
-    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(length);
+    let transform = fft::forward(length);
     let mut input = transform.make_input_vec();
     let mut lines = transform.make_output_vec();
     let mut scratch = transform.make_scratch_vec();

@@ -58,7 +58,7 @@ pub fn contacts(arguments: &ContactsArguments, terminal: Terminal) -> Result<Sta
 
 /// Refuses what takes more memory than there may be.
 fn admit(subject: &StudiedString, arguments: &ContactsArguments) -> Result<()> {
-    let bytes = memory(subject, rayon::current_num_threads())?;
+    let bytes = memory(subject, linear::parallel::threads())?;
     let limit = arguments.work.memory.limit();
     if bytes > limit.bytes {
         bail!(UsageError(format!(

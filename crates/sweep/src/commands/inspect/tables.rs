@@ -8,8 +8,7 @@ use linear::passivity::Ending;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 use linear::waves::{ResponseMatrix, TorsionAdmittance};
-use linear::{Channel, Complex64};
-use rayon::prelude::*;
+use linear::{Channel, Complex64, parallel};
 
 use crate::commands::status::UsageError;
 use campaign::engine::MethodSystem;
@@ -127,9 +126,9 @@ fn write_frequency_responses(sweep: &Sweep, responses: &[Known], path: &Path) ->
         write("exact", response.between, &exact.of(response.between))?;
     }
     for response in responses.iter().filter(|it| it.is_whole) {
-        let values: Vec<Complex64> = (frequencies.par_iter())
-            .map(|frequency| of_taps(response.taps, frequency / sampling))
-            .collect();
+        let values = parallel::map(frequencies.len(), 1, |place| {
+            of_taps(response.taps, frequencies[place] / sampling)
+        });
         write(response.method, response.between, &values)?;
     }
     file.finish()?;
@@ -153,16 +152,15 @@ impl Exact {
     fn at(sweep: &Sweep, frequencies: &[f64]) -> Result<Self> {
         let setting = &sweep.setting;
         let network = TorsionNetwork::new(&setting.string, &setting.sites)?;
-        let torsion = frequencies.par_iter();
-        let torsion = torsion.map(|it| network.at_frequency(*it)).collect();
+        let count = frequencies.len();
+        let torsion = parallel::map(count, 1, |it| network.at_frequency(frequencies[it]));
         let bending = match &setting.lateral {
             None => Vec::new(),
             Some(lateral) => {
                 let (parameters, support) = (lateral.bending, lateral.support);
                 let network =
                     BendingNetwork::new(&setting.string, parameters, support, &setting.sites)?;
-                let rates = frequencies.par_iter();
-                rates.map(|it| network.at_rate(TAU * it)).collect()
+                parallel::map(count, 1, |it| network.at_rate(TAU * frequencies[it]))
             }
         };
         Ok(Self { torsion, bending })

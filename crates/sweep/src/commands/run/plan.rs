@@ -137,7 +137,7 @@ impl<'a> Plan<'a> {
             sampling_frequency_hz: sweep.setting.sampling_frequency,
             simulated_time_s: simulated(self.task),
             longest_case_s: survey.longest,
-            threads: rayon::current_num_threads(),
+            threads: linear::parallel::threads(),
             memory_bytes: self.cost.as_ref().map(|cost| cost.memory.bytes),
             memory_limit_bytes: self.cost.as_ref().map(|cost| cost.limit.bytes),
             wall_time_s: match time {

@@ -1,12 +1,10 @@
 //! Plans of Fourier transforms of real sequences.
-//! The algorithms behind them are generic, and compiled in every crate that makes plans. Plans are
-//! made here alone, so that they are compiled once.
 //!
 //! The sines of a plan take nearly as long as a transform. A thread keeps its last plans, for
 //! strings that change from case to case ask for the same lengths again.
 //!
 //! ```
-//! use linear::fft;
+//! use numerics::fft;
 //!
 //! let plan = fft::forward(8);
 //! let mut samples = vec![1.0; 8];
@@ -21,7 +19,8 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use realfft::RealFftPlanner;
+pub use realfft::{ComplexToReal, RealToComplex};
 
 /// The samples of all plans that a thread keeps, in each direction: some ten megabytes.
 const MOST_KEPT: usize = 1 << 19;
@@ -64,35 +63,4 @@ pub fn forward(length: usize) -> Arc<dyn RealToComplex<f64>> {
 pub fn inverse(length: usize) -> Arc<dyn ComplexToReal<f64>> {
     let plan = || RealFftPlanner::new().plan_fft_inverse(length);
     INVERSE.with_borrow_mut(|kept| kept.of(length, plan))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_last_plans_are_kept_and_no_more() {
-        let mut kept = Kept::none().into_inner();
-        let mut planned = 0;
-        let mut ask = |length: usize| {
-            let plan = kept.of(length, || {
-                planned += 1;
-                Arc::new(length)
-            });
-            assert_eq!(*plan, length);
-            let samples: usize = kept.0.iter().map(|(length, _)| length).sum();
-            assert!(samples <= MOST_KEPT);
-            planned
-        };
-        assert_eq!(ask(100), 1);
-        assert_eq!(ask(200), 2);
-        assert_eq!(ask(100), 2);
-        // What was asked for last stays.
-        assert_eq!(ask(MOST_KEPT - 100), 3);
-        assert_eq!(ask(100), 3);
-        assert_eq!(ask(200), 4);
-        // What is longer than all is not kept.
-        assert_eq!(ask(MOST_KEPT + 1), 5);
-        assert_eq!(ask(MOST_KEPT + 1), 6);
-    }
 }

@@ -1,0 +1,78 @@
+//! Eigenvalues of full matrices.
+//!
+//! ```
+//! use numerics::{Mat, eigenvalues};
+//!
+//! // A mass on a spring, and a dashpot: ω = 5, and damped at the rate 3.
+//! let matrix = Mat::from_fn(2, 2, |row, column| [[0.0, 1.0], [-25.0, -6.0]][row][column]);
+//! let found = eigenvalues::general(&matrix)?;
+//! assert_eq!(found.len(), 2);
+//! assert!(found.iter().all(|it| (it.re + 3.0).abs() < 1e-14));
+//! assert!(found.iter().all(|it| (it.im.abs() - 4.0).abs() < 1e-14));
+//! # Ok::<(), numerics::NumericsError>(())
+//! ```
+
+use faer::linalg::solvers::{EvdError, LltError};
+use faer::{Mat, Side};
+use realfft::num_complex::Complex64;
+
+use crate::error::NumericsError;
+
+impl From<EvdError> for NumericsError {
+    fn from(EvdError::NoConvergence: EvdError) -> Self {
+        Self::NoConvergence
+    }
+}
+
+impl From<LltError> for NumericsError {
+    fn from(LltError::NonPositivePivot { index }: LltError) -> Self {
+        Self::NotPositiveDefinite { row: index }
+    }
+}
+
+/// Of a square matrix, in no order.
+///
+/// # Errors
+/// Where they are not found.
+pub fn general(matrix: &Mat<f64>) -> Result<Vec<Complex64>, NumericsError> {
+    Ok(matrix.eigenvalues()?)
+}
+
+/// Of a Hermitian matrix, of which the lower triangle is read, rising.
+///
+/// # Errors
+/// Where they are not found.
+pub fn of_hermitian(matrix: &Mat<Complex64>) -> Result<Vec<f64>, NumericsError> {
+    Ok(matrix.self_adjoint_eigenvalues(Side::Lower)?)
+}
+
+/// The same with their vectors: the columns of a unitary matrix.
+///
+/// # Errors
+/// Where they are not found.
+pub fn with_vectors(
+    hermitian: &Mat<Complex64>,
+) -> Result<(Vec<f64>, Mat<Complex64>), NumericsError> {
+    let found = hermitian.self_adjoint_eigen(Side::Lower)?;
+    let values = found.S().column_vector().iter().map(|value| value.re);
+    Ok((values.collect(), found.U().to_owned()))
+}
+
+/// Whether all are positive, of a Hermitian matrix of which the lower triangle is read.
+pub fn are_positive(hermitian: &Mat<Complex64>) -> bool {
+    hermitian.llt(Side::Lower).is_ok()
+}
+
+/// The λ of Ax = λBx, rising; A and B are symmetric, B is positive definite.
+///
+/// # Errors
+/// Where B is not positive definite, or they are not found.
+pub fn of_pencil(a: &Mat<f64>, b: &Mat<f64>) -> Result<Vec<f64>, NumericsError> {
+    // With B = LLᵀ those of L⁻¹AL⁻ᵀ.
+    let decomposed = b.llt(Side::Lower)?;
+    let mut reduced = a.clone();
+    decomposed.L().solve_lower_triangular_in_place(&mut reduced);
+    let mut reduced = reduced.transpose().to_owned();
+    decomposed.L().solve_lower_triangular_in_place(&mut reduced);
+    Ok(reduced.self_adjoint_eigenvalues(Side::Lower)?)
+}
