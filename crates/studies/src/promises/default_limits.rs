@@ -25,7 +25,7 @@ use campaign::plan::{Setting, Sweep};
 const CERTAIN: f64 = 0.025;
 
 /// Steps per travel time of two systems that limits in mud are compared with: 8 and 16 times the
-/// fewest of the rule, whatever that makes of a string. No waveguide has loss that depends on
+/// fewest of the rule, for any string alike. No waveguide has loss that depends on
 /// frequency.
 const FINE: [f64; 2] = [8.0 * FEWEST_STEPS, 16.0 * FEWEST_STEPS];
 

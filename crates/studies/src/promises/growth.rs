@@ -53,7 +53,7 @@ const STREAM: u64 = 1 << 35;
 pub enum Steps {
     /// At the default sampling frequency.
     Default,
-    /// As many as the rule has for vibration that grows, whatever fronts need.
+    /// As many as the rule has for vibration that grows, fronts apart.
     ForGrowth,
 }
 
@@ -230,7 +230,7 @@ impl<'a> Simulated<'a> {
         let speeds = &motion.speeds[0];
         let window = speeds.len() / 8;
         ensure!(window > 0, "no steps were taken");
-        // Differences from step to step: slow modes of little growth die away last, and are none.
+        // Differences from step to step: slow modes die away last, and hardly count in these.
         let per_step = TAU * self.resonance / self.sampling_frequency;
         let vibration = |part: &[f64]| {
             let changes = part.windows(2).map(|ends| (ends[1] - ends[0]).powi(2));
