@@ -59,14 +59,14 @@ const SNIPPETS: [Snippet; 16] = [
     snippet("docs/unknowns.md", "sensitivity", After::Nothing),
     Snippet {
         printed: &[
-            ("quadrature", "stick_slip", 195),
-            ("finite-element", "stick_slip", 181),
+            ("held", "stick_slip", 247),
+            ("finite-element", "stick_slip", 246),
         ],
         ..snippet("docs/well.md", "bha_12in.csv", After::Nothing)
     },
     snippet(
         "docs/well.md",
-        "hole_diameter_in",
+        "sites_to_m",
         After::Base("well_12in_contacts.toml"),
     ),
 ];

@@ -6,7 +6,7 @@ use crate::support::{Workplace, with};
 
 /// Every block of settings that is switched off, by its first line, and the pieces that it replaces
 /// or needs.
-const SWITCHED_OFF: [(&str, Change); 12] = [
+const SWITCHED_OFF: [(&str, Change); 13] = [
     ("units = \"field\"", Change::Nothing),
     ("surface_torque = true", Change::Nothing),
     (
@@ -16,7 +16,8 @@ const SWITCHED_OFF: [(&str, Change); 12] = [
     ("start = \"both\"", Change::Instead("\nstart = \"stuck\"")),
     ("surface_speed_rpm = 60", Change::Nothing),
     ("time_s = 60", Change::Nothing),
-    ("compression_kn = 50", Change::Nothing),
+    ("torsional_damping_nms_rad_m = 0.1", Change::Nothing),
+    ("damping_ns_m2 = 500", Change::Nothing),
     (
         "rock = \"table\"",
         Change::Instead("\nrock = \"sandstone\""),

@@ -12,7 +12,7 @@ use sim::Trajectory;
 /// Standard gravity, m/s².
 const GRAVITY: f64 = 9.80665;
 
-/// The part of a case that is looked at.
+/// The part of a case that is measured.
 const END: f64 = 0.25;
 
 /// Steps of it, at least.
