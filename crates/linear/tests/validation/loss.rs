@@ -368,7 +368,8 @@ fn val_elements_have_the_drag_of_mud_to_a_part_in_200() {
     }
 }
 
-/// In steady rotation a response ends at the constant drag: Couette flow.
+/// In steady rotation a response ends at the constant drag, Couette flow, within the time that is asked
+/// for: what comes later is cut anywhere.
 #[test]
 fn val_steady_rotation_meets_the_drag_of_steady_flow() {
     let string = case("all");
@@ -378,10 +379,11 @@ fn val_steady_rotation_meets_the_drag_of_steady_flow() {
     assert!((resistance / (2000.0 * (0.03 + couette)) - 1.0).abs() < 1e-12);
     for method in methods() {
         let taps = linear::surface_torque(&string, &method, &request(640.0, 120.0)).unwrap();
-        let torque: f64 = taps.iter().sum();
+        let asked = (640.0 * 120.0) as usize;
+        let torque: f64 = taps.iter().take(asked).sum();
         let name = method.name();
         assert!(
-            (torque / resistance - 1.0).abs() < 2e-3,
+            (torque / resistance - 1.0).abs() < 1e-3,
             "{name}: {torque} {resistance}"
         );
     }
