@@ -3,7 +3,7 @@
 # minutes on two cores that have nothing else to do, for times are among what is drawn. What the
 # commands say, the numbers that the guide quotes, goes to standard output. The overviews of
 # pictures need Node and Chromium. Two pictures are copied by hand: the maps of `sweep run
-# sweeps/well_b_fit.toml` and of the hundred thousand cases of docs/unknowns.md.
+# sweeps/well_b_fit.toml` and of the twenty thousand cases of docs/unknowns.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$(mktemp -d)
