@@ -77,6 +77,7 @@ fn simulate(
         surface_speed: rpm * RPM,
         bit: Some(bit),
         friction: Vec::new(),
+        axial: None,
         lateral: None,
         timing,
     };
@@ -189,6 +190,7 @@ fn val_scaling_speed_and_torque_together_changes_no_label() {
             surface_speed: rpm * RPM,
             bit: Some(bit(torque)),
             friction: Vec::new(),
+            axial: None,
             lateral: None,
             timing,
         };
@@ -233,6 +235,7 @@ fn val_a_stuck_bit_is_wound_up_at_the_static_stiffness() {
             surface_speed: 0.1,
             bit: Some(bit(1e9)),
             friction: Vec::new(),
+            axial: None,
             lateral: None,
             timing: Timing {
                 duration: 40.0,
@@ -355,6 +358,7 @@ fn roughness_while_stuck(method: &Method) -> f64 {
         surface_speed: 0.1 * RPM,
         bit: Some(bit(4000.0)),
         friction: Vec::new(),
+        axial: None,
         lateral: None,
         timing: Timing {
             duration: 14.0,

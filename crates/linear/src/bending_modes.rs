@@ -23,8 +23,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::drillstring::Drillstring;
 use crate::elements::beam::{mass_matrix, stiffness_matrix};
 use crate::elements::mesh::Mesh;
 use crate::error::BuildError;

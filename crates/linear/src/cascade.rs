@@ -38,7 +38,6 @@ use crate::assembly::scattering::{Scattered, Uppermost, reflection, uppermost};
 use crate::assembly::torsion::{Drive, DynamicStiffness};
 use crate::assembly::working_bytes;
 use crate::budget::{Budget, Need, OutOfBudget, REAL, What};
-use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Section};
 use crate::elements::newmark::Weights;
 use crate::elements::recurrence::ElementChain;
@@ -258,7 +257,7 @@ impl<'a> CascadePlan<'a> {
             let weights = Weights::new(parameters, frequency)?;
             let chain = ElementChain::new(
                 string,
-                Channel::Torsion,
+                string.channel(),
                 nodes,
                 parameters.elements_per_cell,
                 weights,

@@ -10,6 +10,8 @@ pub enum Channel {
     Torsion,
     /// From lateral forces (N) to displacements (m) in their plane, alike in both.
     Bending,
+    /// From forces along the string (N) and the surface's speed to speeds along it (m/s).
+    Axial,
 }
 
 /// A site, by number, in a channel: where a load acts or a motion is seen.
@@ -26,6 +28,7 @@ impl fmt::Display for Channel {
         f.write_str(match self {
             Channel::Torsion => "torsion",
             Channel::Bending => "bending",
+            Channel::Axial => "axial motion",
         })
     }
 }

@@ -33,8 +33,9 @@
 use num_complex::Complex64;
 
 use crate::assembly::lanes::Lanes;
+use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, StringId, SurfaceSupport};
+use crate::drillstring::{Drillstring, StringId};
 use crate::error::{BuildError, ResponseError};
 use crate::estimates::{largest_undershoot, torsional_travel_time, undershoot_time};
 use crate::filters::quadrature::{Sampling, series};

@@ -1,5 +1,5 @@
 //! The drillstring as data (Table 2 of the paper): material, sections from the
-//! surface down, damping, bending constants, and how the surface holds it.
+//! surface down, damping, and what is around it and above it.
 //!
 //! ```
 //! use linear::{Drillstring, DrillstringError, Material, Section, Tube};
@@ -23,6 +23,7 @@
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
+use crate::channel::Channel;
 use crate::error::DrillstringError;
 use crate::loss::Loss;
 use crate::surroundings::{AxialForce, Hole, HoleSection, Stretch, stretches};
@@ -99,6 +100,20 @@ pub struct Drillstring {
     top_drive: Option<TopDrive>,
     hole: Option<Hole>,
     axial_force: Vec<AxialForce>,
+    rod: Rod,
+}
+
+/// The motion that a string is asked about as a rod: both obey one equation of waves
+/// ([`crate::axial`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Rod {
+    /// It twists: GJ resists, ρJ is moved.
+    Twisting,
+    /// It stretches: EA resists, ρA is moved.
+    Stretching {
+        /// E, Pa.
+        youngs_modulus: f64,
+    },
 }
 
 /// By which responses are known to be those of a string, within one run of a program.
@@ -136,6 +151,7 @@ impl Drillstring {
             top_drive: None,
             hole: None,
             axial_force: Vec::new(),
+            rod: Rod::Twisting,
         })
     }
 
@@ -338,11 +354,53 @@ impl Drillstring {
         &self.axial_force
     }
 
+    /// The same string as a rod that stretches, of this Young's modulus (Pa), with a
+    /// distributed damping (N s/m per metre), under a hoist if any.
+    pub(crate) fn stretching(
+        &self,
+        youngs_modulus: f64,
+        damping: f64,
+        hoist: Option<TopDrive>,
+    ) -> Self {
+        Self {
+            rod: Rod::Stretching { youngs_modulus },
+            loss: self.loss.clone().with_constant(damping),
+            top_drive: hoist,
+            ..self.clone()
+        }
+    }
+
+    /// Its motion as a rod.
+    pub fn channel(&self) -> Channel {
+        match self.rod {
+            Rod::Twisting => Channel::Torsion,
+            Rod::Stretching { .. } => Channel::Axial,
+        }
+    }
+
+    /// The modulus that resists it: G where it twists, E where it stretches, Pa.
+    pub(crate) fn modulus(&self) -> f64 {
+        match self.rod {
+            Rod::Twisting => self.material.shear_modulus,
+            Rod::Stretching { youngs_modulus } => youngs_modulus,
+        }
+    }
+
+    /// What of the cross-section of a tube resists and moves: J where the string twists, m⁴, A
+    /// where it stretches, m².
+    pub(crate) fn section_constant(&self, tube: &Tube) -> f64 {
+        match self.rod {
+            Rod::Twisting => tube.polar_moment(),
+            Rod::Stretching { .. } => tube.area(),
+        }
+    }
+
     /// What tells it from other strings.
     pub fn id(&self) -> StringId {
         let mut hasher = DefaultHasher::new();
         let mut add = |number: f64| number.to_bits().hash(&mut hasher);
-        add(self.material.shear_modulus);
+        add(f64::from(u8::from(self.channel() == Channel::Axial)));
+        add(self.modulus());
         add(self.material.density);
         add(self.torsional_damping());
         add(self.loss.loss_factor());
@@ -411,7 +469,7 @@ impl Drillstring {
 
     /// Speed of torsional waves √(G/ρ), m/s (without damping).
     pub fn torsional_wave_speed(&self) -> f64 {
-        (self.material.shear_modulus / self.material.density).sqrt()
+        (self.modulus() / self.material.density).sqrt()
     }
 
     /// Two places that are no further apart than this, m, are one.
@@ -457,7 +515,7 @@ impl Drillstring {
     }
 }
 
-fn positive(quantity: &'static str, value: f64) -> Result<(), DrillstringError> {
+pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<(), DrillstringError> {
     if value.is_finite() && value > 0.0 {
         Ok(())
     } else {
@@ -491,75 +549,6 @@ fn check_section(section: usize, data: &Section) -> Result<(), DrillstringError>
         }
     }
     Ok(())
-}
-
-/// What bending needs to know of a string, beyond what torsion does.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bending {
-    /// Young's modulus E, Pa.
-    pub youngs_modulus: f64,
-    /// Distributed lateral damping c_b, N s/m per metre of string (Eq. 19).
-    pub damping: f64,
-    /// Pre-compression C, N; tension where negative.
-    pub compression: f64,
-}
-
-impl Bending {
-    /// With an additional tension (N).
-    pub(crate) fn under(self, tension: f64) -> Self {
-        Self {
-            compression: self.compression - tension,
-            ..self
-        }
-    }
-
-    /// Without any, of its material alone.
-    pub(crate) fn straight(self) -> Self {
-        Self {
-            compression: 0.0,
-            ..self
-        }
-    }
-
-    /// Checks that a string can bend so.
-    pub(crate) fn check(&self) -> Result<(), DrillstringError> {
-        positive("Young's modulus", self.youngs_modulus)?;
-        if !(self.damping.is_finite() && self.damping >= 0.0) {
-            return Err(DrillstringError::NegativeLateralDamping {
-                value: self.damping,
-            });
-        }
-        if !self.compression.is_finite() {
-            return Err(DrillstringError::Compression {
-                value: self.compression,
-            });
-        }
-        Ok(())
-    }
-}
-
-/// How the surface holds the string laterally.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum SurfaceSupport {
-    /// Not at all.
-    #[default]
-    Free,
-    /// No displacement.
-    Pinned,
-    /// No displacement and no slope.
-    Clamped,
-}
-
-impl SurfaceSupport {
-    /// How many of the surface's two degrees of freedom, displacement and
-    /// slope, are held.
-    pub(crate) fn held(self) -> usize {
-        match self {
-            SurfaceSupport::Free => 0,
-            SurfaceSupport::Pinned => 1,
-            SurfaceSupport::Clamped => 2,
-        }
-    }
 }
 
 #[cfg(test)]

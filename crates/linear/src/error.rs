@@ -97,6 +97,23 @@ pub enum DrillstringError {
         /// The value found, N s/m per metre.
         value: f64,
     },
+    /// Axial damping below zero would feed energy in.
+    #[error("the axial damping {value} is not zero or a positive number")]
+    NegativeAxialDamping {
+        /// The value found, N s/m per metre.
+        value: f64,
+    },
+    /// A number of a hoist is below zero, which would feed energy in.
+    #[error("the {quantity} {value} of the hoist is not zero or a positive number")]
+    Hoist {
+        /// Which number.
+        quantity: &'static str,
+        /// The value found, SI.
+        value: f64,
+    },
+    /// A hoist that neither a damper nor a spring holds.
+    #[error("the hoist has neither a damping nor a stiffness")]
+    NothingHolds,
     /// The hole does not reach the end of the string.
     #[error("the hole ends at {depth} m, and the string at {length} m")]
     HoleTooShort {
@@ -231,6 +248,9 @@ pub enum BuildError {
         /// The channel.
         channel: Channel,
     },
+    /// The rod of axial motion is not that of the string.
+    #[error("the rod of axial motion is not that of the string")]
+    RodOfAnother,
     /// The responses given are not what a string gives.
     #[error(transparent)]
     Responses(#[from] ResponseError),

@@ -26,16 +26,17 @@
 
 use num_complex::Complex64;
 
-use crate::drillstring::{Bending, Drillstring, Tube};
+use crate::bending::Bending;
+use crate::drillstring::{Drillstring, Tube};
 use crate::in_mud::{self, Alike};
 
 /// Static torsional stiffness k_eff between surface and bit, N m/rad.
 pub fn torsional_stiffness(string: &Drillstring) -> f64 {
     let flexibility: f64 = string
         .tubes()
-        .map(|(count, tube)| count * tube.length / tube.polar_moment())
+        .map(|(count, tube)| count * tube.length / string.section_constant(tube))
         .sum();
-    string.material().shear_modulus / flexibility
+    string.modulus() / flexibility
 }
 
 /// Stiffness, N m/rad, against which a surface that is set to a steady speed winds up a
@@ -51,7 +52,7 @@ pub fn winding_stiffness(string: &Drillstring) -> f64 {
 /// N m s/rad.
 pub fn torsional_impedance(string: &Drillstring, tube: &Tube) -> f64 {
     let material = string.material();
-    tube.polar_moment() * (material.shear_modulus * material.density).sqrt()
+    string.section_constant(tube) * (string.modulus() * material.density).sqrt()
 }
 
 /// Time a torsional wave takes from the surface to the bit, s.
@@ -91,7 +92,7 @@ pub(crate) fn torsional_drag(string: &Drillstring, s: Complex64) -> Complex64 {
     let mut drag = Complex64::from(string.torsional_damping() * string.length());
     for Alike { length, mud, .. } in in_mud::tubes(string) {
         if let Some(mud) = mud {
-            drag += mud.against_turning(s) * length;
+            drag += mud.drag(string.channel(), s) * length;
         }
     }
     drag
@@ -102,7 +103,7 @@ pub fn torsional_resistance(string: &Drillstring) -> f64 {
     let mut drag = string.torsional_damping() * string.length();
     if string.loss().viscous_mud().is_some() {
         for Alike { length, mud, .. } in in_mud::tubes(string) {
-            drag += mud.map_or(0.0, |mud| mud.against_steady_turning() * length);
+            drag += mud.map_or(0.0, |mud| mud.steady_drag(string.channel()) * length);
         }
     }
     drag
@@ -217,7 +218,7 @@ pub fn undershoot_time(string: &Drillstring) -> f64 {
 pub fn torsional_inertia(string: &Drillstring) -> f64 {
     let moments = string
         .tubes()
-        .map(|(count, tube)| count * tube.length * tube.polar_moment());
+        .map(|(count, tube)| count * tube.length * string.section_constant(tube));
     moments.sum::<f64>() * string.material().density
 }
 
@@ -282,12 +283,12 @@ pub fn torsional_wave_left(string: &Drillstring) -> f64 {
 pub fn torsional_wave_left_at(string: &Drillstring, frequency: f64) -> f64 {
     let s = Complex64::new(0.0, std::f64::consts::TAU * frequency);
     let material = string.material();
-    let modulus = string.loss().stiffening(s) * material.shear_modulus;
+    let modulus = string.loss().stiffening(s) * string.modulus();
     let wave = |Alike { length, tube, mud }: Alike| {
-        let moment = tube.polar_moment();
-        let mud = mud.map_or(Complex64::ZERO, |mud| mud.against_turning(s));
+        let section = string.section_constant(&tube);
+        let mud = mud.map_or(Complex64::ZERO, |mud| mud.drag(string.channel(), s));
         let drag = mud + string.torsional_damping();
-        let squared = s * (s * material.density * moment + drag) / (modulus * moment);
+        let squared = s * (s * material.density * section + drag) / (modulus * section);
         squared.sqrt().re * length
     };
     (-in_mud::tubes(string).into_iter().map(wave).sum::<f64>()).exp()

@@ -1,6 +1,5 @@
 //! A string by its tubes, each with the viscous mud in and around it.
 
-use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Tube};
 use crate::loss::mud::Annulus;
 use crate::sites::Sites;
@@ -40,7 +39,7 @@ fn runs(
     each: impl Fn(usize, &[Tube], &mut dyn FnMut(f64, &Tube)),
 ) -> Vec<Alike> {
     // The bit is a place of every string.
-    let spans = string.surrounded_spans(Channel::Torsion, &Sites::bit());
+    let spans = string.surrounded_spans(string.channel(), &Sites::bit());
     let mut all = Vec::new();
     for part in spans.unwrap_or_default().iter().flatten() {
         let mut add = |length: f64, tube: &Tube| {

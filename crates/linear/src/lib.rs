@@ -83,6 +83,8 @@
 extern crate self as linear;
 
 mod assembly;
+pub mod axial;
+mod bending;
 pub mod bending_modes;
 pub mod budget;
 pub mod cascade;
@@ -106,6 +108,7 @@ pub mod natural_frequencies;
 pub mod parallel;
 pub mod passivity;
 pub mod pulse;
+pub mod regenerative;
 pub mod responses;
 pub mod sampling;
 mod sites;
@@ -119,10 +122,12 @@ mod validation;
 pub mod waves;
 pub mod well;
 
+pub use axial::{Axial, Hoist};
+pub use bending::{Bending, SurfaceSupport};
 pub use budget::Budget;
 pub use cascade::{Cascade, CascadePlan};
 pub use channel::{Channel, Port};
-pub use drillstring::{Bending, Drillstring, Material, Section, StringId, SurfaceSupport, Tube};
+pub use drillstring::{Drillstring, Material, Section, StringId, Tube};
 pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;
 pub use num_complex::Complex64;

@@ -257,14 +257,14 @@ fn pieces(string: &Drillstring, count: usize) -> Vec<Piece> {
     let (mut inertias, mut flexibilities) = (vec![0.0; count], vec![0.0; count]);
     let mut depth = 0.0;
     for tube in tubes {
-        let polar_moment = tube.polar_moment();
+        let section = string.section_constant(tube);
         let (top, bottom) = (depth, depth + tube.length);
         let last = ((bottom / length).ceil() as usize).min(count);
         for piece in (top / length) as usize..last {
             let from = top.max(piece as f64 * length);
             let shared = (bottom.min((piece + 1) as f64 * length) - from).max(0.0);
-            inertias[piece] += material.density * polar_moment * shared;
-            flexibilities[piece] += shared / (material.shear_modulus * polar_moment);
+            inertias[piece] += material.density * section * shared;
+            flexibilities[piece] += shared / (string.modulus() * section);
         }
         depth = bottom;
     }

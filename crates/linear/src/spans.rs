@@ -33,7 +33,7 @@ impl Drillstring {
     ) -> Result<Vec<SurroundedSpan>, DrillstringError> {
         let spans = self.spans(sites)?.into_iter();
         let mut stretches = match channel {
-            Channel::Torsion => self.mud_around(),
+            Channel::Torsion | Channel::Axial => self.mud_around(),
             Channel::Bending => self.surroundings(),
         };
         let last = stretches.pop().map(|last| last.around).unwrap_or_default();

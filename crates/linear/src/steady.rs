@@ -139,7 +139,7 @@ struct Below {
 }
 
 fn flexibility_below(string: &Drillstring, distance: f64) -> Below {
-    let shear_modulus = string.material().shear_modulus;
+    let modulus = string.modulus();
     let (mut flexibility, mut moment, mut left) = (0.0, 0.0, distance);
     for section in string.sections().iter().rev() {
         for tube in (0..section.repeat).flat_map(|_| section.parts.iter().rev()) {
@@ -150,7 +150,7 @@ fn flexibility_below(string: &Drillstring, distance: f64) -> Below {
                     moment,
                 };
             }
-            let per_length = 1.0 / (shear_modulus * tube.polar_moment());
+            let per_length = 1.0 / (modulus * string.section_constant(tube));
             moment += length * (flexibility + 0.5 * length * per_length);
             flexibility += length * per_length;
             left -= length;
@@ -164,11 +164,11 @@ fn flexibility_below(string: &Drillstring, distance: f64) -> Below {
 
 /// What viscous mud takes of the torque per rate at which it grows, s: ∫ c(0) ∫ dx dx/(GJ).
 fn held_back_by_mud(string: &Drillstring) -> f64 {
-    let shear_modulus = string.material().shear_modulus;
+    let modulus = string.modulus();
     let (mut held_back, mut flexibility) = (0.0, 0.0);
     for Alike { length, tube, mud } in in_mud::one_by_one(string).into_iter().rev() {
-        let per_length = 1.0 / (shear_modulus * tube.polar_moment());
-        let drag = mud.map_or(0.0, |mud| mud.against_steady_turning());
+        let per_length = 1.0 / (modulus * string.section_constant(&tube));
+        let drag = mud.map_or(0.0, |mud| mud.steady_drag(string.channel()));
         held_back += drag * length * (flexibility + 0.5 * length * per_length);
         flexibility += length * per_length;
     }

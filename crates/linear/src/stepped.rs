@@ -33,9 +33,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+use crate::bending::{Bending, SurfaceSupport};
 use crate::budget::{Budget, Need, REAL, What};
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, StringId, SurfaceSupport};
+use crate::drillstring::{Drillstring, StringId};
 use crate::elements::mesh::most_elements;
 use crate::elements::newmark::Weights;
 use crate::elements::stepped::{SteppedChannel, SurfaceElement, assembled_bytes, bent, turned};

@@ -232,6 +232,7 @@ impl Responses {
             surface_speed: asked.surface_speed,
             bit: bit.transpose()?,
             friction: Vec::new(),
+            axial: None,
             lateral,
             timing: asked.timing,
         };

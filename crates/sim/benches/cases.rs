@@ -38,6 +38,7 @@ fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
         surface_speed: SPEED,
         bit: None,
         friction: Vec::new(),
+        axial: None,
         lateral: Some(Lateral {
             walls: vec![wall; sites],
             impulses: vec![Impulse {
@@ -163,6 +164,7 @@ fn string_friction(bencher: Bencher, pieces: usize) {
         start: sim::Start::Rest,
         bit: None,
         friction: friction.into_iter().chain([None]).collect(),
+        axial: None,
         lateral: None,
         timing: Timing {
             duration: 60.0,

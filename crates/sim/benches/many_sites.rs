@@ -43,6 +43,7 @@ fn scene(sites: usize, touching: usize) -> Scene {
         surface_speed: std::f64::consts::TAU,
         bit: None,
         friction: Vec::new(),
+        axial: None,
         lateral: Some(Lateral {
             walls: (0..sites)
                 .map(|site| wall(if touches(site) { 0.015 } else { 10.0 }))

@@ -35,6 +35,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         surface_speed: 2.0,
         bit: Some(torque),
         friction: Vec::new(),
+        axial: None,
         lateral: None,
         timing: Timing {
             duration: 10.0,

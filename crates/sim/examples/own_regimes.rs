@@ -36,6 +36,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             start: Start::Rest,
             bit: Some(law.clone()),
             friction: Vec::new(),
+            axial: None,
             lateral: None,
             timing: Timing {
                 duration: 60.0,

@@ -96,6 +96,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         surface_speed: 6.0,
         bit: None,
         friction: Vec::new(),
+        axial: None,
         lateral: Some(Lateral {
             walls: vec![rubber],
             impulses: vec![impulse],

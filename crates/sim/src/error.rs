@@ -41,6 +41,18 @@ pub enum SimulationError {
     /// A torque acts on the bit, but the responses have no such input.
     #[error("the responses were built without a torque at the bit")]
     NoTorqueInput,
+    /// The scene has axial motion, but the system none.
+    #[error("the scene has axial motion, but the system was built without a force at the bit")]
+    NoAxialInput,
+    /// A bit turns past a blade within half a step.
+    #[error(
+        "the bit turns past a blade within half a step at {time:.6} s; a higher sampling \
+         frequency lets it cut"
+    )]
+    PastABlade {
+        /// Time of the step, s.
+        time: f64,
+    },
     /// The scene has walls, but the responses no bending.
     #[error("the scene has walls, but the responses were built without bending")]
     NoForceInput,

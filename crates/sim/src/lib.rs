@@ -68,6 +68,7 @@
 //!     start: Start::Rest,
 //!     bit: Some(bit),
 //!     friction: Vec::new(),
+//!     axial: None,
 //!     lateral: None,
 //!     timing: sim::torsion_timing(&string, 0.5, &bit, &Start::Rest),
 //! };
@@ -76,7 +77,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod convolution;
+pub mod axial_motion;
+mod convolution;
 mod coupling;
 pub mod diagnosis;
 mod error;
@@ -112,6 +114,7 @@ pub use excitation::{EccentricMass, Impulse};
 pub use label::{Label, Labels};
 pub use laws::bit::BitTorque;
 pub use laws::contact::WallLaw;
+pub use laws::cutting::{Blades, Cutting, FlatContact};
 pub use laws::pipe::PipeFriction;
 pub use laws::rock::Rock;
 pub use laws::table::TabulatedFriction;
@@ -124,7 +127,7 @@ pub use plan::SimulatorPlan;
 pub use ranges::SceneError;
 pub use recording::{Recording, RecordingError};
 pub use sampling::Sampling;
-pub use scene::{Lateral, Scene, Timing};
+pub use scene::{Axial, Kick, Lateral, Scene, Timing};
 pub use simulator::Simulator;
 pub use start::Start;
 pub use steady_whirl::{SitesWhirl, SteadyWhirl, WhirlingSite, WhirlingSites};

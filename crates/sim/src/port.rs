@@ -1,8 +1,10 @@
 //! The laws that act at one port, coupled: friction at a wall turns the bit that the rock
 //! holds (Eq. 36).
 
+use crate::axial_motion::AxialMotion;
 use crate::coupling::{Load, Solved};
 use crate::laws::contact::{Approach, Contact, ContactError, Resistance, Spin, WallLaw};
+use crate::laws::cutting::CutStep;
 use crate::laws::pipe::{OnLines, PipeMotion};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::sampling::Sampling;
@@ -33,6 +35,8 @@ pub(crate) enum PortTorque<'a, B: TorqueLaw> {
     Free,
     /// That of the bit.
     Bit(&'a B, &'a B::State),
+    /// That of a bit that cuts.
+    Cut(&'a AxialMotion<'a>),
     /// Friction of the pipe along its well.
     Pipe(&'a OnLines, &'a PipeMotion),
 }
@@ -42,6 +46,7 @@ pub(crate) enum PortTorque<'a, B: TorqueLaw> {
 pub(crate) enum Turned<S> {
     Free,
     Bit(TorqueStep<S>),
+    Cut(CutStep),
     Pipe(TorqueStep<PipeMotion>),
 }
 
@@ -60,6 +65,7 @@ impl<S> Turned<S> {
         match self {
             Self::Free => 0.0,
             Self::Bit(step) => step.torque,
+            Self::Cut(step) => -step.torque,
             Self::Pipe(step) => step.torque,
         }
     }
@@ -69,6 +75,7 @@ impl<S> Turned<S> {
         match self {
             Self::Free => None,
             Self::Bit(step) => Some(step.speed),
+            Self::Cut(step) => Some(step.speed),
             Self::Pipe(step) => Some(step.speed),
         }
     }
@@ -81,6 +88,7 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
         match self {
             Self::Free => Turned::Free,
             Self::Bit(law, before) => Turned::Bit(law.meet(before, line)),
+            Self::Cut(axial) => Turned::Cut(axial.meet(line)),
             Self::Pipe(law, before) => Turned::Pipe(law.meet(before, line.free_speed, guess.abs())),
         }
     }
@@ -90,6 +98,8 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
         match self {
             Self::Free => None,
             Self::Bit(law, _) => Some(law.largest_drop()),
+            // Its torque is continuous in the speed.
+            Self::Cut(_) => Some(0.0),
             Self::Pipe(law, _) => Some(law.largest_drop()),
         }
     }
@@ -98,7 +108,7 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
     /// as if it stayed.
     fn fall(&self, speed: f64) -> f64 {
         match self {
-            Self::Free | Self::Bit(..) => 0.0,
+            Self::Free | Self::Bit(..) | Self::Cut(_) => 0.0,
             Self::Pipe(law, _) => law.fall(speed.abs()),
         }
     }

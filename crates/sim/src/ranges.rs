@@ -35,6 +35,15 @@ pub enum SceneError {
         /// How many there are.
         sites: usize,
     },
+    /// A law gives the torque on a bit that cuts.
+    #[error("a bit that cuts has no other law of its torque")]
+    TwoLawsOfTheBit,
+    /// A bit without blades cuts nothing.
+    #[error("the bit has no blades")]
+    NoBlades,
+    /// The angles between blades are not those of a whole turn, or there are too many.
+    #[error("the angles from blade to blade must be positive, 20 at most, and 360° together")]
+    BladeAngles,
     /// Something acts at a site that does not exist.
     #[error("{what} acts at site {site}, but the {sites} sites are counted from 0")]
     NoSuchSite {

@@ -33,6 +33,7 @@
 use crate::excitation::{EccentricMass, Impulse};
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::WallLaw;
+use crate::laws::cutting::Cutting;
 use crate::laws::pipe::PipeFriction;
 use crate::laws::torque::TorqueLaw;
 use crate::laws::wall::Wall;
@@ -60,10 +61,37 @@ pub struct Scene<B = BitTorque, W = Wall> {
     /// Friction of the well on the pipe, at each site that a torque may act on, from the surface
     /// down; empty where the string rubs nowhere. On the bit its own law acts instead.
     pub friction: Vec<Option<PipeFriction>>,
+    /// Axial motion above a bit that cuts, where it is modelled: its torque is the bit's.
+    pub axial: Option<Axial>,
     /// Lateral motion, where it is modelled.
     pub lateral: Option<Lateral<W>>,
     /// Time simulated and closing window.
     pub timing: Timing,
+}
+
+/// The axial part of a scene: a bit that cuts, at the lower end of a string that stretches.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axial {
+    /// The bit and its rock.
+    pub cutting: Cutting,
+    /// Speed down that the surface is set to in the end, m/s; below a hoist of damping c that a
+    /// force F sets, F/c.
+    pub feed: f64,
+    /// Rate of penetration of a case that begins with a steady motion, m/s.
+    pub start_rate: f64,
+    /// A disturbance of the bit at the beginning.
+    pub kick: Option<Kick>,
+}
+
+/// A torque and a force on the bit from the beginning on, in addition to those of the rock.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Kick {
+    /// In the direction of rotation, N m.
+    pub torque: f64,
+    /// Down, N.
+    pub force: f64,
+    /// s.
+    pub duration: f64,
 }
 
 /// The lateral part of a scene.
@@ -78,6 +106,11 @@ pub struct Lateral<W = Wall> {
 }
 
 impl<B: TorqueLaw, W: WallLaw> Scene<B, W> {
+    /// Whether a law acts on the bit.
+    pub(crate) fn turns_against_rock(&self) -> bool {
+        self.bit.is_some() || self.axial.is_some()
+    }
+
     /// Checks that it can be simulated: every number in its range, everything at
     /// one of the `sites`, of which a number may have walls.
     pub(crate) fn check(&self, sites: usize, walls: usize) -> Result<(), SceneError> {
@@ -86,6 +119,12 @@ impl<B: TorqueLaw, W: WallLaw> Scene<B, W> {
         not_negative("time simulated in s", self.timing.duration)?;
         not_negative("closing window in s", self.timing.closing_window)?;
         self.bit.iter().try_for_each(TorqueLaw::check)?;
+        if let Some(axial) = &self.axial {
+            axial.check(self.start.steady().is_some())?;
+            if self.bit.is_some() {
+                return Err(SceneError::TwoLawsOfTheBit);
+            }
+        }
         self.friction
             .iter()
             .flatten()
@@ -105,6 +144,23 @@ impl<B: TorqueLaw, W: WallLaw> Scene<B, W> {
             known_site("an eccentric mass", mass.site, walls)?;
             not_negative("eccentric mass in kg", mass.mass)?;
             finite("offset of an eccentric mass in m", mass.offset)?;
+        }
+        Ok(())
+    }
+}
+
+impl Axial {
+    fn check(&self, is_steady: bool) -> Result<(), SceneError> {
+        self.cutting.check()?;
+        finite("speed of the surface down in m/s", self.feed)?;
+        not_negative("rate of penetration at the start in m/s", self.start_rate)?;
+        if is_steady {
+            positive("rate of penetration at the start in m/s", self.start_rate)?;
+        }
+        if let Some(kick) = &self.kick {
+            finite("torque of a kick in N m", kick.torque)?;
+            finite("force of a kick in N", kick.force)?;
+            not_negative("duration of a kick in s", kick.duration)?;
         }
         Ok(())
     }

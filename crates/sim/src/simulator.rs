@@ -29,6 +29,7 @@
 //!         start: Start::Rest,
 //!         bit: Some(bit),
 //!         friction: Vec::new(),
+//!         axial: None,
 //!         lateral: None,
 //!         timing,
 //!     };

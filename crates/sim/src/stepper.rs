@@ -25,6 +25,7 @@
 //!     start: Start::Rest,
 //!     bit: Some(bit),
 //!     friction: Vec::new(),
+//!     axial: None,
 //!     lateral: None,
 //!     timing: sim::torsion_timing(&string, 0.5, &bit, &Start::Rest),
 //! };
@@ -44,11 +45,13 @@
 
 use linear::SteadyMotion;
 
+use crate::axial_motion::AxialMotion;
 use crate::coupling::{Coupling, Free, Load, Unloaded};
 use crate::error::SimulationError;
 use crate::lateral_motion::LateralMotion;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
+use crate::laws::cutting::{BitPlace, CutStep, Face};
 use crate::laws::pipe::{OnLines, PipeFriction, PipeMotion};
 use crate::laws::torque::{BitMotion, LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
@@ -71,6 +74,8 @@ pub struct Step<S> {
     pub contacts: Vec<Contact>,
     /// What the bit does, where a law acts there.
     pub bit: Option<TorqueStep<S>>,
+    /// What a bit that cuts does.
+    pub cut: Option<CutStep>,
     /// How the pipe rubs at each site that a torque may act on; nothing where it rubs nowhere.
     pub rubbing: Vec<PipeMotion>,
     /// What turns the surface, where the string is in pieces.
@@ -95,6 +100,8 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     within: Within<'a>,
     torsion: TorsionPast<'a>,
     lateral: Option<LateralMotion<'a, W>>,
+    /// Axial motion above a bit that cuts, and its port.
+    axial: Option<(AxialMotion<'a>, usize)>,
     coupling: Coupling<'a>,
     bit_state: B::State,
     /// How the pipe rubbed in the last step.
@@ -158,6 +165,15 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         };
         let within = system.torsion.within();
         let steps = system.steps_of(scene.timing.duration);
+        let axial = match &scene.axial {
+            None => None,
+            Some(axial) => {
+                let port = system.bit_port().ok_or(SimulationError::NoTorqueInput)?;
+                let start = scene.start.steady();
+                let speed = start.map(|motion| motion.speeds[loaded[port]]);
+                Some((AxialMotion::new(system, axial, speed, steps)?, port))
+            }
+        };
         let lateral = (scene.lateral.as_ref())
             .map(|lateral| LateralMotion::new(system, lateral, steps))
             .transpose()?;
@@ -184,6 +200,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             within,
             torsion: system.torsion.past(steps - first.min(steps)),
             lateral,
+            axial,
             coupling,
             bit_state: turned.unwrap_or_default(),
             rubbed: rubbed.clone(),
@@ -194,6 +211,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 speeds,
                 contacts: vec![Contact::NONE; walls.len()],
                 bit: None,
+                cut: None,
                 rubbing: rubbed,
                 surface: None,
             },
@@ -252,13 +270,36 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         if let Some(lateral) = &mut self.lateral {
             lateral.find_free_motion(self.now.time, &self.now.speeds);
         }
+        self.find_axial_motion();
+    }
+
+    /// The same along the axis; a disturbance turns the bit, too.
+    #[inline]
+    fn find_axial_motion(&mut self) {
+        let Some((axial, port)) = &mut self.axial else {
+            return;
+        };
+        axial.find_free_motion(self.next, self.now.time);
+        let kick = axial.kick();
+        if kick == 0.0 {
+            return;
+        }
+        match self.within {
+            Within::All(torsion) => {
+                for (index, free) in self.free.iter_mut().enumerate() {
+                    *free += torsion.instant(index, *port) * kick;
+                }
+            }
+            Within::Chain(_) => self.free[*port] += kick,
+        }
     }
 
     /// The motion that the scene began with, without the torque that holds or brakes the bit in it.
     #[inline]
     fn add_steady_motion(&mut self, motion: &SteadyMotion) {
         let loaded = self.system.torsion.loaded();
-        if self.bit.is_some() {
+        let at_bit = self.bit_port();
+        if at_bit.is_some() {
             self.held = motion.at_bit.at(self.now.time);
         }
         match self.within {
@@ -266,7 +307,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 for (speed, site) in self.free.iter_mut().zip(loaded) {
                     *speed += motion.speeds[*site];
                 }
-                if let Some((_, port)) = self.bit {
+                if let Some(port) = at_bit {
                     for (index, speed) in self.free.iter_mut().enumerate() {
                         *speed -= torsion.instant(index, port) * self.held;
                     }
@@ -276,7 +317,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 for (port, driving) in self.free.iter_mut().enumerate() {
                     *driving += chain.taken(port, &motion.speeds);
                 }
-                if let Some((_, port)) = self.bit {
+                if let Some(port) = at_bit {
                     self.free[port] -= self.held;
                 }
             }
@@ -287,23 +328,35 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     #[inline]
     fn meet_bit(&mut self, torsion: &Torsion) -> Result<(), SimulationError> {
         let time = self.now.time;
+        let line = |port: usize| LoadLine {
+            time,
+            free_speed: self.free[port],
+            compliance: torsion.instant(port, port),
+        };
+        let met = match (self.bit, &self.axial) {
+            (None, None) => None,
+            (Some((law, port)), _) => {
+                let bit = law.meet(&self.bit_state, line(port));
+                let met = (port, bit.torque, bit.speed);
+                self.now.bit = Some(bit);
+                Some(met)
+            }
+            (None, Some((axial, port))) => {
+                let cut = axial.meet(line(*port));
+                self.now.cut = Some(cut);
+                Some((*port, -cut.torque, cut.speed))
+            }
+        };
         let speeds = &mut self.now.speeds;
-        match self.bit {
+        match met {
             None => speeds.copy_from_slice(&self.free),
-            Some((law, port)) => {
-                let line = LoadLine {
-                    time,
-                    free_speed: self.free[port],
-                    compliance: torsion.instant(port, port),
-                };
-                let bit = law.meet(&self.bit_state, line);
+            Some((port, torque, bit_speed)) => {
                 let free = self.free.iter().enumerate();
                 for (speed, (index, free)) in speeds.iter_mut().zip(free) {
-                    *speed = free + torsion.instant(index, port) * bit.torque;
+                    *speed = free + torsion.instant(index, port) * torque;
                 }
-                speeds[port] = bit.speed;
-                self.coupling.set_torque(port, bit.torque);
-                self.now.bit = Some(bit);
+                speeds[port] = bit_speed;
+                self.coupling.set_torque(port, torque);
             }
         }
         match speeds.iter().position(|speed| !speed.is_finite()) {
@@ -320,6 +373,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             friction,
             within,
             lateral,
+            axial,
             coupling,
             bit_state,
             rubbed,
@@ -333,9 +387,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             turning: free,
         };
         let settled = coupling.settle(free, |port, unloaded: Unloaded| {
-            let torque = match (&*bit, friction.get(port)) {
-                (Some((law, at)), _) if *at == port => PortTorque::Bit(*law, &*bit_state),
-                (_, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
+            let torque = match (&*bit, &*axial, friction.get(port)) {
+                (Some((law, at)), _, _) if *at == port => PortTorque::Bit(*law, &*bit_state),
+                (_, Some((axial, at)), _) if *at == port => PortTorque::Cut(axial),
+                (_, _, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
                 _ => PortTorque::Free,
             };
             let line = LoadLine {
@@ -372,6 +427,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             match turn.law {
                 Turned::Free => {}
                 Turned::Bit(bit) => now.bit = Some(bit),
+                Turned::Cut(cut) => now.cut = Some(cut),
                 Turned::Pipe(pipe) => now.rubbing[port] = pipe.state,
             }
             Ok(solved)
@@ -389,8 +445,12 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         for (torque, load) in self.step_torques.iter_mut().zip(loads) {
             *torque = load.torque;
         }
-        if let Some((_, port)) = self.bit {
-            self.step_torques[port] -= self.held;
+        if let Some(port) = self.bit_port() {
+            let kick = (self.axial.as_ref()).map_or(0.0, |(axial, _)| axial.kick());
+            self.step_torques[port] += kick - self.held;
+        }
+        if let (Some((axial, _)), Some(cut)) = (&mut self.axial, &self.now.cut) {
+            axial.end_step(cut);
         }
         let steady = match self.reference {
             Reference::Steady(motion) => Some(motion),
@@ -432,6 +492,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     /// How the bit turned in the last step, and its speed, rad/s, where a law acts there.
     #[inline]
     pub(crate) fn bit_motion(&self) -> Option<(BitMotion, f64)> {
+        if let Some(cut) = &self.now.cut {
+            return Some((BitMotion::of(cut.speed), cut.speed));
+        }
         let ((law, _), step) = self.bit.zip(self.now.bit.as_ref())?;
         Some((law.motion(step), step.speed))
     }
@@ -439,6 +502,24 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     /// What the bit did in the last step.
     pub(crate) fn bit_step(&self) -> Option<&TorqueStep<B::State>> {
         self.now.bit.as_ref()
+    }
+
+    /// The port of the bit, where a law acts there.
+    fn bit_port(&self) -> Option<usize> {
+        let cuts = self.axial.as_ref().map(|(_, port)| *port);
+        self.bit.map(|(_, port)| port).or(cuts)
+    }
+
+    /// Torque of the rock on the bit in the last step, where a law acts there, N m.
+    pub(crate) fn bit_torque(&self) -> Option<f64> {
+        let by_law = self.now.bit.as_ref().map(|bit| bit.torque);
+        by_law.or(self.now.cut.map(|cut| -cut.torque))
+    }
+
+    /// Where a bit that cuts stands at the end of the last step, and the rock that it has left.
+    pub fn cut_place(&self) -> Option<(&BitPlace, &Face)> {
+        let (axial, _) = self.axial.as_ref()?;
+        Some((axial.place(), axial.face()))
     }
 
     /// What the walls did in the last step.
@@ -465,7 +546,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
 
     /// Whether a law of torsion holds a port in the last step.
     pub(crate) fn is_any_stuck(&self) -> bool {
-        let at_bit = self.bit.map(|(_, port)| port);
+        let at_bit = self.bit_port();
         let rubs = self.friction.iter().enumerate();
         let mut ports = rubs
             .filter_map(|(port, law)| law.map(|_| port))
@@ -486,7 +567,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     /// The lowest port that a law of torsion acts on.
     pub(crate) fn lowest_law(&self) -> Option<usize> {
         let rubs = self.friction.iter().rposition(Option::is_some);
-        self.bit.map(|(_, port)| port).max(rubs)
+        self.bit_port().max(rubs)
     }
 
     /// All forces on a site so far along an axis, disturbances included, N.

@@ -6,7 +6,7 @@ use crate::convolution::Kernel;
 use crate::error::SimulationError;
 use crate::line::pieces::Pieces;
 use crate::line::torsion::Whole;
-use crate::line::{Bending, Channel, TorsionLine, WallPorts};
+use crate::line::{AxialLines, Bending, Channel, TorsionLine, WallPorts};
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
 use crate::start::Start;
@@ -26,6 +26,8 @@ pub struct System {
     pub(crate) from_forces: Option<Bending>,
     /// The ports that may have walls.
     pub(crate) walls: WallPorts,
+    /// Axial motion of the bit, where it is modelled.
+    pub(crate) axial: Option<AxialLines>,
 }
 
 /// Distances from the bit, m, within which two sites are one.
@@ -72,6 +74,7 @@ impl System {
             sampling,
             longest_time: responses.longest_time,
             walls: WallPorts::new(bending.map_or_else(Vec::new, |it| it.loads.clone()), ports),
+            axial: None,
             from_forces: bending.map(|bending| Channel::of_taps(&bending.from_loads)),
             torsion: TorsionLine::Whole(whole),
         })
@@ -106,6 +109,7 @@ impl System {
             torsion: TorsionLine::Whole(whole),
             from_forces: Some(Channel::of_mesh(string.bending())),
             walls: WallPorts::new((0..sites).collect(), sites),
+            axial: None,
         })
     }
 
@@ -128,6 +132,7 @@ impl System {
             torsion: TorsionLine::Pieces(Pieces::new(cascade, profile, rotor_inertia)?),
             from_forces: None,
             walls: WallPorts::new(Vec::new(), cascade.nodes.len()),
+            axial: None,
         })
     }
 
@@ -156,6 +161,37 @@ impl System {
         Ok(Self {
             walls: WallPorts::new(walls.ok_or(SimulationError::UnlikeChannels)?, ports.len()),
             from_forces: Some(Channel::of_taps(&bending.driving_points())),
+            ..self
+        })
+    }
+
+    /// The same, which moves along its axis by responses of its bit, as a surface that reaches its
+    /// speed by a profile moves it.
+    ///
+    /// # Errors
+    /// Where these are not axial responses by the same steps, with a force at the bit.
+    pub fn moving_along(
+        self,
+        responses: &Responses,
+        profile: &SurfaceProfile,
+    ) -> Result<Self, SimulationError> {
+        profile.check()?;
+        responses.check()?;
+        let channel = linear::Channel::Axial;
+        let axial = (responses.axial()).ok_or(ResponseError::NoChannel { channel })?;
+        if sampling(responses) != self.sampling {
+            return Err(SimulationError::UnlikeSteps);
+        }
+        let bit = responses
+            .sites
+            .bit_site()
+            .ok_or(SimulationError::NoAxialInput)?;
+        let taps = (axial.taps_between(bit, bit)).ok_or(SimulationError::NoAxialInput)?;
+        Ok(Self {
+            axial: Some(AxialLines {
+                from_forces: Channel::of_taps(&[vec![taps]]),
+                surface: SurfaceResponse::new(&axial.from_surface[bit], profile, self.sampling),
+            }),
             ..self
         })
     }

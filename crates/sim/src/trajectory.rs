@@ -22,6 +22,7 @@
 //!     start: Start::Rest,
 //!     bit: Some(bit),
 //!     friction: Vec::new(),
+//!     axial: None,
 //!     lateral: None,
 //!     timing: sim::torsion_timing(&string, 0.5, &bit, &Start::Rest),
 //! };
@@ -130,8 +131,7 @@ impl Trajectory {
             self.normal_forces[site].push(contact.normal_force);
             self.wall_torques[site].push(contact.torque);
         }
-        self.bit_torque
-            .extend(now.bit.as_ref().map(|bit| bit.torque));
+        self.bit_torque.extend(stepper.bit_torque());
         self.surface_torque
             .extend(now.surface.map(|surface| surface.torque));
         self.surface_speed
@@ -150,7 +150,8 @@ impl Trajectory {
             .map(|step| system.sampling.time_of(step))
             .collect();
         let loaded = std::mem::take(&mut self.speeds);
-        let acts = scene.bit.is_some() || scene.lateral.is_some() || !scene.friction.is_empty();
+        let acts =
+            scene.turns_against_rock() || scene.lateral.is_some() || !scene.friction.is_empty();
         let is_whole = acts && loaded.len() == system.sites.len();
         let driven = (!is_whole).then(|| {
             system.driven_speeds(scene.surface_speed, &scene.start, &self.bit_torque, steps)

@@ -87,6 +87,7 @@ impl Case {
                 start,
                 bit,
                 friction,
+                axial: None,
                 lateral: (setting.lateral.as_ref())
                     .map(|settings| lateral_scene(settings, conditions))
                     .transpose()?,

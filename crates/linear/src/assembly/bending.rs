@@ -9,7 +9,7 @@ use super::matrix::ResponseMatrix;
 use super::nodes::{Nodes, Relation, StiffnessBetween};
 use super::number::Number;
 use super::stiff_beam::StiffBeam;
-use crate::drillstring::SurfaceSupport;
+use crate::bending::SurfaceSupport;
 
 /// A piece of beam: seen from its top where it is short, between its ends where its waves
 /// hardly get through.
@@ -140,7 +140,8 @@ mod tests {
     use numerics::{Mat, equations};
 
     use super::*;
-    use crate::drillstring::{Bending, Drillstring, Material, Section, Tube};
+    use crate::bending::Bending;
+    use crate::drillstring::{Drillstring, Material, Section, Tube};
     use crate::waves::bending::{Resistance, uniform};
 
     fn string() -> Drillstring {

@@ -12,7 +12,8 @@ use super::block::Block;
 use super::chain::Stiffness;
 use super::nodes::Relation;
 use super::number::Number;
-use crate::drillstring::{Bending, Tube};
+use crate::bending::Bending;
+use crate::drillstring::Tube;
 
 /// Dynamic stiffness of a piece of beam, its bottom seen from its top.
 ///

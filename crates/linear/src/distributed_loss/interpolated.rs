@@ -12,6 +12,7 @@ use std::sync::OnceLock;
 use num_complex::Complex64;
 
 use super::drag::Drag;
+use crate::channel::Channel;
 use crate::loss::mud::Annulus;
 
 /// Side of a square.
@@ -30,14 +31,11 @@ const SLOWEST: f64 = -11.5;
 /// Squares from the real to the imaginary axis, and one beyond it for rounding.
 const ACROSS: usize = (FRAC_PI_2 / SIDE) as usize + 1;
 
-/// A direction of motion, and what holds a tube back in it.
-pub(crate) type Exact = fn(&Annulus, Complex64) -> Complex64;
-
 /// The drag on a tube.
 #[derive(Debug, Clone)]
 pub(crate) struct Interpolated {
     annulus: Annulus,
-    exact: Exact,
+    channel: Channel,
     squares: Vec<OnceLock<Box<[Complex64; TERMS]>>>,
 }
 
@@ -52,11 +50,11 @@ pub(crate) struct Place {
 }
 
 impl Interpolated {
-    /// Of a tube, by its exact drag.
-    pub fn new(annulus: Annulus, exact: Exact) -> Self {
+    /// Of a tube that moves as in a channel.
+    pub fn new(annulus: Annulus, channel: Channel) -> Self {
         Self {
             annulus,
-            exact,
+            channel,
             squares: vec![OnceLock::new(); ALONG * ACROSS],
         }
     }
@@ -70,7 +68,7 @@ impl Interpolated {
             };
             let values: [Complex64; TERMS] = std::array::from_fn(|index| {
                 let place = middle(square) + turn(index) * RADIUS;
-                (self.exact)(&self.annulus, place.exp())
+                self.annulus.drag(self.channel, place.exp())
             });
             Box::new(std::array::from_fn(|term| {
                 let sum = values.iter().enumerate().map(|(index, value)| {
@@ -112,7 +110,7 @@ impl Drag for Interpolated {
 
     fn at(&self, place: &Place) -> Complex64 {
         let Some((square, place_in_it)) = place.inside else {
-            return (self.exact)(&self.annulus, place.s);
+            return self.annulus.drag(self.channel, place.s);
         };
         let terms = self.terms(square).iter().rev();
         let sum = terms.fold(Complex64::ZERO, |sum, term| sum * place_in_it + term);
@@ -123,7 +121,7 @@ impl Drag for Interpolated {
 /// What is known of it follows from these.
 impl PartialEq for Interpolated {
     fn eq(&self, other: &Self) -> bool {
-        self.annulus == other.annulus && std::ptr::fn_addr_eq(self.exact, other.exact)
+        self.annulus == other.annulus && self.channel == other.channel
     }
 }
 
@@ -133,7 +131,7 @@ mod tests {
 
     /// The largest error, in water to gel, in narrow and wide holes, from minutes to a hundred
     /// kilohertz.
-    fn worst_of(exact: Exact) -> f64 {
+    fn worst_of(channel: Channel) -> f64 {
         let mut worst: f64 = 0.0;
         for (viscosity, hole) in [(1e-3, 0.065), (0.03, 0.108), (1.0, 0.2)] {
             let annulus = Annulus {
@@ -143,13 +141,13 @@ mod tests {
                 outer: 0.0635,
                 hole,
             };
-            let interpolated = Interpolated::new(annulus, exact);
+            let interpolated = Interpolated::new(annulus, channel);
             for index in 0..3000 {
                 let size = 1e-3 * 1e9f64.powf(f64::from(index) / 3000.0);
                 let angle = FRAC_PI_2 * (f64::from(index) * 0.618).fract();
                 let sign = if index % 2 == 0 { 1.0 } else { -1.0 };
                 let s = Complex64::from_polar(size, sign * angle);
-                let expected = exact(&annulus, s);
+                let expected = annulus.drag(channel, s);
                 let found = interpolated.at(&Interpolated::place(s));
                 worst = worst.max((found - expected).norm() / expected.norm());
             }
@@ -160,10 +158,14 @@ mod tests {
     /// Drag across loses digits itself, to differences of Bessel functions.
     #[test]
     fn it_is_the_exact_drag_to_rounding() {
-        let turning = worst_of(Annulus::against_turning);
-        assert!(turning < 1e-12, "{turning}");
-        let moving = worst_of(Annulus::against_moving);
-        assert!(moving < 1e-9, "{moving}");
+        for (channel, most) in [
+            (Channel::Torsion, 1e-12),
+            (Channel::Axial, 1e-12),
+            (Channel::Bending, 1e-9),
+        ] {
+            let worst = worst_of(channel);
+            assert!(worst < most, "{channel}: {worst}");
+        }
     }
 
     #[test]
@@ -175,7 +177,7 @@ mod tests {
             outer: 0.0635,
             hole: 0.108,
         };
-        let interpolated = Interpolated::new(annulus, Annulus::against_turning);
+        let interpolated = Interpolated::new(annulus, Channel::Torsion);
         for s in [
             Complex64::ZERO,
             Complex64::new(1e9, 0.0),

@@ -13,7 +13,6 @@ use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 use drag::Drag;
-use interpolated::Exact;
 pub(crate) use interpolated::Interpolated;
 
 /// Internal and external radius of a tube and radius of the hole around it, m.
@@ -40,12 +39,8 @@ pub(crate) struct LossAt<'a, T> {
 impl LossAlong<Interpolated> {
     /// Of the tubes between nodes, by the exact flow.
     pub fn exact(string: &Drillstring, channel: Channel, spans: &[SurroundedSpan]) -> Self {
-        let exact: Exact = match channel {
-            Channel::Torsion => Annulus::against_turning,
-            Channel::Bending => Annulus::against_moving,
-        };
         Self::new(string, tubes(spans), |annulus| {
-            Interpolated::new(annulus, exact)
+            Interpolated::new(annulus, channel)
         })
     }
 }
@@ -58,10 +53,7 @@ impl LossAlong<Fit> {
         channel: Channel,
         tubes: impl Iterator<Item = (&'a Tube, &'a Surroundings)>,
     ) -> Self {
-        Self::new(string, tubes, |annulus| match channel {
-            Channel::Torsion => Fit::against_turning(&annulus),
-            Channel::Bending => Fit::against_moving(&annulus),
-        })
+        Self::new(string, tubes, |annulus| Fit::of_drag(&annulus, channel))
     }
 
     /// The largest error of the drag, as a part of it; `None` where no mud is viscous.

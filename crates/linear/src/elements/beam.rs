@@ -6,8 +6,9 @@
 use super::fading::{Fading, NodalDrag};
 use super::mesh::Mesh;
 use super::newmark::{Entry, Matrices};
+use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
+use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 
 /// Assembles the beam elements of a mesh, without the degrees of freedom that

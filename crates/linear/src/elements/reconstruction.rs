@@ -31,8 +31,9 @@
 
 use super::mesh::most_elements;
 use super::stepped::{self, SteppedChannel, assembled_bytes};
+use crate::bending::{Bending, SurfaceSupport};
 use crate::budget::{Need, REAL};
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::drillstring::Drillstring;
 use crate::error::BuildError;
 use crate::method::FiniteElement;
 use crate::sites::Sites;

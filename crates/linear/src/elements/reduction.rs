@@ -10,8 +10,9 @@ use super::beam;
 use super::mesh::Mesh;
 use super::newmark::{Integrator, Matrices, Motion, Weights};
 use super::torsion::{self, TorsionMatrices};
+use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::drillstring::Drillstring;
 use crate::error::BuildError;
 use crate::sites::Sites;
 
@@ -92,7 +93,7 @@ impl CondensedString {
         elements_per_cell: usize,
         weights: Weights,
     ) -> Result<Self, BuildError> {
-        let mesh = Mesh::new(string, Channel::Torsion, sites, elements_per_cell)?;
+        let mesh = Mesh::new(string, string.channel(), sites, elements_per_cell)?;
         let TorsionMatrices {
             free,
             surface_mass,

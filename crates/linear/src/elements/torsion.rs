@@ -4,7 +4,6 @@
 use super::fading::{Fading, NodalDrag};
 use super::mesh::Mesh;
 use super::newmark::{Entry, Matrices};
-use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 use crate::top_drive::TopDrive;
@@ -35,10 +34,10 @@ pub struct Element {
 impl Element {
     /// That of a piece of tube.
     pub fn of(string: &Drillstring, tube: &Tube) -> Self {
-        let (material, polar_moment) = (string.material(), tube.polar_moment());
+        let (material, section) = (string.material(), string.section_constant(tube));
         Self {
-            inertia: material.density * polar_moment * tube.length,
-            spring: material.shear_modulus * polar_moment / tube.length,
+            inertia: material.density * section * tube.length,
+            spring: string.modulus() * section / tube.length,
             dashpot: string.torsional_damping() * tube.length / 2.0,
         }
     }
@@ -138,7 +137,7 @@ impl Entries {
         mesh: &Mesh,
         place: impl Fn(usize) -> Option<usize>,
     ) -> Result<Matrices, BuildError> {
-        let drag = NodalDrag::new(string, Channel::Torsion, mesh, self.damping.len(), place);
+        let drag = NodalDrag::new(string, string.channel(), mesh, self.damping.len(), place);
         let stiffness = [&self.elastic[..], &self.springs].concat();
         let fading = Fading::new(string, drag, &mut self.damping, self.elastic);
         Ok(Matrices::new(&self.mass, self.damping, &stiffness)?.with_fading(fading))

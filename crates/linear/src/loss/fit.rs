@@ -12,6 +12,7 @@ use numerics::{Col, Mat, equations, products};
 
 use super::mud::Annulus;
 use super::relaxation::{Relaxation, sum};
+use crate::channel::Channel;
 
 /// The frequencies that a fit serves, Hz.
 const BAND: [f64; 2] = [0.01, 1000.0];
@@ -37,15 +38,15 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Of the torque of mud on a tube that turns.
-    pub(crate) fn against_turning(mud: &Annulus) -> Self {
-        Self::of(mud.against_steady_turning(), |s| mud.against_turning(s))
-    }
-
-    /// Of the force of mud on a tube that moves across, without the mass that it moves aside.
-    pub(crate) fn against_moving(mud: &Annulus) -> Self {
-        let at_rest = mud.against_moving(Complex64::ZERO).re;
-        Self::of(at_rest, |s| mud.against_moving(s) - s * mud.moved_aside())
+    /// Of the drag of mud on a tube; where it moves across, without the mass that it moves aside.
+    pub(crate) fn of_drag(mud: &Annulus, channel: Channel) -> Self {
+        let aside = match channel {
+            Channel::Bending => mud.moved_aside(),
+            Channel::Torsion | Channel::Axial => 0.0,
+        };
+        Self::of(mud.steady_drag(channel), |s| {
+            mud.drag(channel, s) - s * aside
+        })
     }
 
     /// Of a function that is `at_rest` at zero.
@@ -218,13 +219,12 @@ mod tests {
                 outer: 0.0635,
                 hole,
             };
-            let fit = Fit::against_turning(&annulus);
-            let across = Fit::against_moving(&annulus);
-            assert!(fit.error < most, "{viscosity}: {}", fit.error);
-            assert!(across.error < most, "{viscosity}: across {}", across.error);
-            let mut all = fit.relaxations.iter().chain(&across.relaxations);
-            assert!(all.all(|it| it.weight > 0.0));
-            assert_eq!(fit.at(Complex64::ZERO).re, annulus.against_steady_turning());
+            for channel in [Channel::Torsion, Channel::Bending, Channel::Axial] {
+                let fit = Fit::of_drag(&annulus, channel);
+                assert!(fit.error < most, "{viscosity} {channel}: {}", fit.error);
+                assert!(fit.relaxations.iter().all(|it| it.weight > 0.0));
+                assert_eq!(fit.at(Complex64::ZERO).re, annulus.steady_drag(channel));
+            }
         }
     }
 }

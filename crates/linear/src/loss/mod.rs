@@ -66,6 +66,14 @@ impl Loss {
         }
     }
 
+    /// The same with another constant damping, of the motion that the string is asked about.
+    pub(crate) fn with_constant(self, torsional_damping: f64) -> Self {
+        Self {
+            torsional_damping,
+            ..self
+        }
+    }
+
     /// The same with mud, which takes energy where it is viscous.
     pub(crate) fn with_mud(self, mud: Mud) -> Self {
         Self {
@@ -127,6 +135,13 @@ impl Loss {
     pub fn against_moving(&self, radii: [f64; 2], hole: Option<f64>, s: Complex64) -> Complex64 {
         let mud = self.annulus(radii, hole);
         mud.map_or(Complex64::ZERO, |mud| mud.against_moving(s))
+    }
+
+    /// The same of a tube that slides along its axis; what a closed end would push along the hole is
+    /// left out.
+    pub fn against_sliding(&self, radii: [f64; 2], hole: Option<f64>, s: Complex64) -> Complex64 {
+        let mud = self.annulus(radii, hole);
+        mud.map_or(Complex64::ZERO, |mud| mud.against_sliding(s))
     }
 
     /// What the moduli of the material are multiplied by, m(s), at the Laplace variable `s` (rad/s).

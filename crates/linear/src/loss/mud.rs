@@ -13,6 +13,7 @@ use num_complex::Complex64;
 
 use super::bessel::Bessel;
 use super::narrow;
+use crate::channel::Channel;
 
 /// A tube full of mud within a hole full of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +34,25 @@ impl Annulus {
     /// κ, 1/m.
     fn wavenumber(&self, s: Complex64) -> Complex64 {
         (s * (self.density / self.viscosity)).sqrt()
+    }
+
+    /// Force per length and speed, or torque per length and rotation speed, on a tube that moves as in
+    /// a channel, at the Laplace variable s (rad/s, off the negative real axis).
+    pub(crate) fn drag(&self, channel: Channel, s: Complex64) -> Complex64 {
+        match channel {
+            Channel::Torsion => self.against_turning(s),
+            Channel::Bending => self.against_moving(s),
+            Channel::Axial => self.against_sliding(s),
+        }
+    }
+
+    /// The same of a steady motion.
+    pub(crate) fn steady_drag(&self, channel: Channel) -> f64 {
+        match channel {
+            Channel::Torsion => self.against_steady_turning(),
+            Channel::Bending => self.against_moving(Complex64::ZERO).re,
+            Channel::Axial => self.against_steady_sliding(),
+        }
     }
 
     /// Torque per length and rotation speed on a tube that turns, N m s/rad per m, at the Laplace
@@ -70,6 +90,43 @@ impl Annulus {
         }
         let bore = Bessel::at(at);
         at * bore.i[2] / bore.i[1] * (2.0 * PI * self.viscosity * self.inner.powi(2))
+    }
+
+    /// Force per length and speed on a tube that slides along its axis, N s/m per m, at the Laplace
+    /// variable s (rad/s, off the negative real axis). The mud that a closed end would push along
+    /// the hole is left out.
+    pub(crate) fn against_sliding(&self, s: Complex64) -> Complex64 {
+        self.sliding_outside(s) + self.sliding_inside(s)
+    }
+
+    /// The same of a steady motion: 2πμ/ln(R_h/R).
+    fn against_steady_sliding(&self) -> f64 {
+        2.0 * PI * self.viscosity / (self.hole / self.outer).ln()
+    }
+
+    /// w = A I₀(κr) + B K₀(κr), which is the tube's speed on it and nothing on the hole, and the
+    /// shear −μ dw/dr.
+    fn sliding_outside(&self, s: Complex64) -> Complex64 {
+        if s == Complex64::ZERO {
+            return self.against_steady_sliding().into();
+        }
+        let kappa = self.wavenumber(s);
+        let [tube, hole] = [self.outer, self.hole].map(|radius| Bessel::at(kappa * radius));
+        let passed = (kappa * (-2.0 * (self.hole - self.outer))).exp();
+        // What the hole sends back of the wave from the tube.
+        let returned = passed * hole.k[0] / (hole.i[0] * tube.k[0]);
+        let slope = (tube.k[1] / tube.k[0] + returned * tube.i[1]) / (-returned * tube.i[0] + 1.0);
+        kappa * slope * (2.0 * PI * self.viscosity * self.outer)
+    }
+
+    /// 2πμ κR_i I₁/I₀.
+    fn sliding_inside(&self, s: Complex64) -> Complex64 {
+        let at = self.wavenumber(s) * self.inner;
+        if at == Complex64::ZERO {
+            return at;
+        }
+        let bore = Bessel::at(at);
+        at * bore.i[1] / bore.i[0] * (2.0 * PI * self.viscosity)
     }
 
     /// Mass per length that moves along however fast a tube moves across the hole, the bore left out:
@@ -187,6 +244,44 @@ mod tests {
         assert_near(PIPE.turning_inside(s), plane * PIPE.inner.powi(3), 2e-4);
     }
 
+    /// Slowly 2πμ/ln(R_h/R) outside, and solid mud inside, πρR_i²; fast 2πR √(ρμs) on either wall.
+    #[test]
+    fn sliding_meets_its_limits() {
+        let slow = Complex64::new(0.0, 1e-7);
+        let steady = 2.0 * PI * PIPE.viscosity / (PIPE.hole / PIPE.outer).ln();
+        assert_near(PIPE.sliding_outside(slow).re.into(), steady.into(), 1e-6);
+        assert_eq!(PIPE.against_sliding(Complex64::ZERO), steady.into());
+        let solid = PI * PIPE.density * PIPE.inner.powi(2);
+        assert_near(PIPE.sliding_inside(slow) / slow, solid.into(), 2e-6);
+        let fast = Complex64::new(0.0, 1e9);
+        let plane = (fast * PIPE.density * PIPE.viscosity).sqrt() * 2.0 * PI;
+        assert_near(PIPE.sliding_outside(fast), plane * PIPE.outer, 2e-4);
+        assert_near(PIPE.sliding_inside(fast), plane * PIPE.inner, 2e-4);
+    }
+
+    /// The flow between the walls by finite differences: w″ + w′/r = κ² w.
+    #[test]
+    fn val_sliding_is_the_flow_between_its_walls() {
+        const POINTS: usize = 4000;
+        let h = (PIPE.hole - PIPE.outer) / POINTS as f64;
+        for frequency in [0.2, 2.0, 20.0] {
+            let s = Complex64::new(0.3, 2.0 * PI * frequency);
+            let squared = s * PIPE.density / PIPE.viscosity;
+            // From the hole inwards by elimination: each speed is a part of the next one's.
+            let mut part = Complex64::ZERO;
+            for point in (1..POINTS).rev() {
+                let r = PIPE.outer + point as f64 * h;
+                let [inner, outer] = [-0.5, 0.5].map(|side| (r + side * h) / r);
+                part = inner / (squared * h * h + inner + outer - part * outer);
+            }
+            // The shear on the tube, of the mud of half a step as well.
+            let mid = PIPE.outer + 0.5 * h;
+            let shear = mid * (Complex64::ONE - part) / h + 0.5 * h * squared * PIPE.outer;
+            let expected = shear * 2.0 * PI * PIPE.viscosity;
+            assert_near(PIPE.sliding_outside(s), expected, 1e-4);
+        }
+    }
+
     /// Figures that were known beforehand.
     #[test]
     fn drag_of_a_pipe_at_three_frequencies() {
@@ -281,8 +376,15 @@ mod tests {
                 for turn in -10..=10 {
                     let angle = 0.05 * PI * f64::from(turn);
                     let s = Complex64::from_polar((0.25 * f64::from(size)).exp(), angle);
-                    let turning = annulus.against_turning(s);
-                    assert!(turning.re > 0.7 * turning.norm(), "{s} {turning}");
+                    for channel in [Channel::Torsion, Channel::Axial] {
+                        let drag = annulus.drag(channel, s);
+                        // Mud in the bore that slides along is all mass where it is slow.
+                        let least = match channel {
+                            Channel::Torsion => 0.7,
+                            _ => 0.0,
+                        };
+                        assert!(drag.re > least * drag.norm(), "{channel} {s} {drag}");
+                    }
                     let moving = annulus.against_moving(s);
                     assert!(moving.re > 0.0, "{s} {moving}");
                 }

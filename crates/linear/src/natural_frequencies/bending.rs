@@ -5,7 +5,8 @@ use num_complex::Complex64;
 
 use crate::assembly::block::Block;
 use crate::assembly::nodes::{Relation, StiffnessBetween};
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::bending::{Bending, SurfaceSupport};
+use crate::drillstring::Drillstring;
 use crate::spans::SurroundedSpan;
 use crate::waves::bending::short_part;
 

@@ -2,8 +2,9 @@
 
 use super::bending::{self, Stretch};
 use super::torsion;
+use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::drillstring::Drillstring;
 use crate::error::{BuildError, DrillstringError};
 use crate::parallel;
 use crate::sites::Sites;

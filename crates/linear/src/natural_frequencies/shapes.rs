@@ -6,7 +6,7 @@ use numerics::{Mat, equations, products};
 
 use super::frequencies::{Motion, NaturalFrequencies};
 use crate::assembly::matrix::ResponseMatrix;
-use crate::drillstring::SurfaceSupport;
+use crate::bending::SurfaceSupport;
 use crate::error::BuildError;
 use crate::sites::Sites;
 use crate::waves::lateral::BendingNetwork;

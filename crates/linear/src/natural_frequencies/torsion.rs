@@ -15,7 +15,7 @@ pub fn below(string: &Drillstring, omega: f64) -> Option<usize> {
     for section in string.sections().iter().rev() {
         for tube in (0..section.repeat).flat_map(|_| section.parts.iter().rev()) {
             // Rotation and torque G J k sin are those of the tube below.
-            let own = tube.polar_moment();
+            let own = string.section_constant(tube);
             let lower_end = (moment * phase.sin()).atan2(own * phase.cos());
             let upper_end = lower_end + wavenumber * tube.length;
             let passed = (upper_end / PI + 0.5).floor();
@@ -30,7 +30,11 @@ pub fn below(string: &Drillstring, omega: f64) -> Option<usize> {
 /// No natural frequency is below this, rad/s: that of a uniform string as slack and as heavy as
 /// the slackest and the heaviest tube, a quarter of a wave long (Rayleigh's principle).
 pub fn least(string: &Drillstring) -> f64 {
-    let moments = || string.tubes().map(|(_, tube)| tube.polar_moment());
+    let moments = || {
+        string
+            .tubes()
+            .map(|(_, tube)| string.section_constant(tube))
+    };
     let slackest = moments().fold(f64::INFINITY, f64::min);
     let heaviest = moments().fold(0.0, f64::max);
     let quarter = FRAC_PI_2 / string.length();

@@ -38,11 +38,11 @@ pub struct ChannelResponses {
     pub channel: Channel,
     /// The sites, by number, that a load acts on, one for each input.
     pub loads: Vec<usize>,
-    /// To each site from the surface: from its speed in torsion, dimensionless; nothing
-    /// in bending, where the surface stays.
+    /// To each site from the surface: from its speed in torsion and axial motion, dimensionless;
+    /// nothing in bending, where the surface stays.
     pub from_surface: Vec<Vec<f64>>,
     /// `from_loads[site][load]`, to each site from each load: rad/s per N m in torsion,
-    /// m/N in bending.
+    /// m/N in bending, m/s per N in axial motion.
     pub from_loads: Vec<Vec<Vec<f64>>>,
     /// Whether the response ends with its taps, or only the simulation does. In bending
     /// the response continues: a string held by damping alone does not return within any time of
@@ -64,6 +64,11 @@ impl Responses {
     /// Those in bending.
     pub fn bending(&self) -> Option<&ChannelResponses> {
         self.channel(Channel::Bending)
+    }
+
+    /// Those of axial motion.
+    pub fn axial(&self) -> Option<&ChannelResponses> {
+        self.channel(Channel::Axial)
     }
 
     /// Taps from a load at a port to the motion of another, both of one channel.
@@ -148,7 +153,7 @@ impl ChannelResponses {
             return Err(ResponseError::NoSuchSite { site, sites });
         }
         let from_surface = match self.channel {
-            Channel::Torsion => sites,
+            Channel::Torsion | Channel::Axial => sites,
             Channel::Bending => 0,
         };
         if self.from_surface.len() != from_surface

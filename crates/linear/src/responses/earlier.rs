@@ -48,6 +48,8 @@ fn move_alike(one: &Drillstring, other: &Drillstring, channel: Channel) -> bool 
                     && one.mud_around() == other.mud_around()
                     && one.top_drive() == other.top_drive()
             }
+            // The request names its rod.
+            Channel::Axial => true,
             Channel::Bending => {
                 one.hole() == other.hole()
                     && one.axial_force() == other.axial_force()

@@ -34,7 +34,7 @@ impl MarginPlan {
     fn of(channel: &ChannelResponses) -> Self {
         let (sites, taps) = (channel.loads.len(), channel.taps());
         match channel.channel {
-            Channel::Torsion => Self::in_torsion(sites, taps),
+            Channel::Torsion | Channel::Axial => Self::in_torsion(sites, taps),
             Channel::Bending => Self::in_bending(sites, taps),
         }
     }
@@ -67,13 +67,25 @@ impl Responses {
     /// # Errors
     /// Where these are not the responses of a string.
     pub fn torsion_margin(&self) -> Result<Option<f64>, BuildError> {
+        self.margin_of_speeds(Channel::Torsion)
+    }
+
+    /// The same of axial motion; `None` where no force acts.
+    ///
+    /// # Errors
+    /// Where these are not the responses of a string.
+    pub fn axial_margin(&self) -> Result<Option<f64>, BuildError> {
+        self.margin_of_speeds(Channel::Axial)
+    }
+
+    fn margin_of_speeds(&self, channel: Channel) -> Result<Option<f64>, BuildError> {
         self.check()?;
-        let Some(torsion) = self.torsion().filter(|torsion| !torsion.loads.is_empty()) else {
+        let Some(speeds) = self.channel(channel).filter(|it| !it.loads.is_empty()) else {
             return Ok(None);
         };
-        let points = torsion.driving_points();
+        let points = speeds.driving_points();
         let taps = |output: usize, input: usize| points[output][input];
-        positive_real_margin(torsion.loads.len(), torsion.ending, taps).map(Some)
+        positive_real_margin(speeds.loads.len(), speeds.ending, taps).map(Some)
     }
 
     /// Positive-real margin of the velocities at the sites in bending, as the method

@@ -25,7 +25,8 @@ pub struct ResponsePlan<'a> {
 /// The same in one channel.
 #[derive(Debug)]
 enum ChannelPlan<'a> {
-    Torsion(TorsionPlan<'a>),
+    /// Torsion or axial motion.
+    Rod(TorsionPlan<'a>),
     Bending(BendingPlan<'a>),
     /// Taken over.
     Known(&'a ChannelResponses),
@@ -86,8 +87,11 @@ impl<'a> ResponsePlan<'a> {
                 (Some(known), _) => Ok(ChannelPlan::Known(known)),
                 (None, ChannelRequest::Torsion { torques }) => {
                     let wanted = Wanted::Sites { torques };
-                    TorsionPlan::new(string, method, request, wanted, trains)
-                        .map(ChannelPlan::Torsion)
+                    TorsionPlan::new(string, method, request, wanted, trains).map(ChannelPlan::Rod)
+                }
+                (None, ChannelRequest::Axial { rod, forces }) => {
+                    let wanted = Wanted::Sites { torques: forces };
+                    TorsionPlan::new(rod, method, request, wanted, None).map(ChannelPlan::Rod)
                 }
                 (None, ChannelRequest::Bending { bending, support }) => {
                     BendingPlan::new(string, method, request, bending, *support)
@@ -115,6 +119,11 @@ impl<'a> ResponsePlan<'a> {
     /// The same in bending.
     pub fn bending_taps(&self) -> usize {
         self.taps(|request| matches!(request, ChannelRequest::Bending { .. }))
+    }
+
+    /// The same in axial motion.
+    pub fn axial_taps(&self) -> usize {
+        self.taps(|request| matches!(request, ChannelRequest::Axial { .. }))
     }
 
     fn taps(&self, is_channel: impl Fn(&ChannelRequest) -> bool) -> usize {
@@ -165,7 +174,7 @@ impl<'a> ResponsePlan<'a> {
 impl ChannelPlan<'_> {
     fn taps(&self) -> usize {
         match self {
-            Self::Torsion(plan) => plan.taps(),
+            Self::Rod(plan) => plan.taps(),
             Self::Bending(plan) => plan.taps(),
             Self::Known(known) => known.taps(),
         }
@@ -173,7 +182,7 @@ impl ChannelPlan<'_> {
 
     fn need(&self) -> Need {
         match self {
-            Self::Torsion(plan) => plan.need(),
+            Self::Rod(plan) => plan.need(),
             Self::Bending(plan) => plan.need(),
             Self::Known(known) => Need::lasting(known.bytes()),
         }
@@ -181,7 +190,7 @@ impl ChannelPlan<'_> {
 
     fn build(&self, budget: &Budget) -> Result<ChannelResponses, BuildError> {
         match self {
-            Self::Torsion(plan) => plan.build(budget),
+            Self::Rod(plan) => plan.build(budget),
             Self::Bending(plan) => plan.build(budget),
             Self::Known(known) => {
                 budget.reserve(known.bytes(), What::Responses)?.keep();

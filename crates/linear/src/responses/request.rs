@@ -1,8 +1,9 @@
 //! What responses are wanted for: where, in which channels, from which loads.
 
+use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
 use crate::checks::{check_sampling, check_time};
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::drillstring::Drillstring;
 use crate::error::BuildError;
 use crate::sites::Sites;
 
@@ -21,6 +22,13 @@ pub enum ChannelRequest {
         bending: Bending,
         /// How the surface holds the string.
         support: SurfaceSupport,
+    },
+    /// Speeds along the string of all sites, from the surface and from forces.
+    Axial {
+        /// The string as a rod that stretches ([`crate::Axial::rod`]).
+        rod: Drillstring,
+        /// The sites, by number, that a force acts on. Only these become inputs.
+        forces: Vec<usize>,
     },
 }
 
@@ -43,6 +51,7 @@ impl ChannelRequest {
         match self {
             ChannelRequest::Torsion { .. } => Channel::Torsion,
             ChannelRequest::Bending { .. } => Channel::Bending,
+            ChannelRequest::Axial { .. } => Channel::Axial,
         }
     }
 }
@@ -60,11 +69,17 @@ impl Request {
                 return Err(BuildError::ChannelTwice { channel });
             }
             let sites = self.sites.len();
-            let torques = match request {
+            let loads = match request {
                 ChannelRequest::Torsion { torques } => torques.as_slice(),
                 ChannelRequest::Bending { .. } => &[],
+                ChannelRequest::Axial { rod, forces } => {
+                    if rod.channel() != channel || rod.sections() != string.sections() {
+                        return Err(BuildError::RodOfAnother);
+                    }
+                    forces.as_slice()
+                }
             };
-            if let Some(&site) = torques.iter().find(|&&site| site >= sites) {
+            if let Some(&site) = loads.iter().find(|&&site| site >= sites) {
                 return Err(BuildError::NoSuchSite { site, sites });
             }
         }

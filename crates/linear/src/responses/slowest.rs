@@ -62,7 +62,9 @@ pub(super) fn loss_per_step(
 
 /// α, 1/s.
 fn vibrating_rate(string: &Drillstring) -> f64 {
-    let moments = string.tubes().map(|(_, tube)| tube.polar_moment());
+    let moments = string
+        .tubes()
+        .map(|(_, tube)| string.section_constant(tube));
     let heaviest = string.material().density * moments.fold(0.0, f64::max);
     let of_tubes = string.torsional_damping() / (2.0 * heaviest);
     // A drive without inertia does not vibrate by itself.
@@ -87,8 +89,8 @@ fn seeping_rate(string: &Drillstring) -> f64 {
 
 /// ∫ c_t F dx, s.
 fn seeping_time(string: &Drillstring) -> f64 {
-    let shear_modulus = string.material().shear_modulus;
-    let flexibility = |tube: &Tube| tube.length / (shear_modulus * tube.polar_moment());
+    let modulus = string.modulus();
+    let flexibility = |tube: &Tube| tube.length / (modulus * string.section_constant(tube));
     // Flexibility above, and its integral.
     let (mut above, mut sum) = (0.0, 0.0);
     for section in string.sections() {

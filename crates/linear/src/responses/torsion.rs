@@ -11,7 +11,6 @@ use super::wanted::Wanted;
 use crate::assembly::lanes::Lanes;
 use crate::assembly::working_bytes;
 use crate::budget::{Budget, Need, OutOfBudget, REAL, What};
-use crate::channel::Channel;
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
 use crate::elements::recurrence::ElementChain;
@@ -226,7 +225,7 @@ impl<'a> TorsionPlan<'a> {
         let weights = Weights::new(parameters, self.request.sampling_frequency)?;
         ElementChain::new(
             self.string,
-            Channel::Torsion,
+            self.string.channel(),
             &self.request.sites,
             parameters.elements_per_cell,
             weights,
@@ -248,7 +247,7 @@ impl<'a> TorsionPlan<'a> {
         let (sites, torques) = (self.request.sites.len(), loads.len());
         let mut from_torques = taps.split_off(sites).into_iter();
         ChannelResponses {
-            channel: Channel::Torsion,
+            channel: self.string.channel(),
             loads: loads.to_vec(),
             from_surface: taps,
             from_loads: (0..sites)

@@ -43,7 +43,7 @@ impl ImpulseTrains {
         request.check(string)?;
         let torques = request.channels.iter().find_map(|channel| match channel {
             ChannelRequest::Torsion { torques } => Some(torques),
-            ChannelRequest::Bending { .. } => None,
+            ChannelRequest::Bending { .. } | ChannelRequest::Axial { .. } => None,
         });
         torques
             .map(|torques| {

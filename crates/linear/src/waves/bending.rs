@@ -13,7 +13,8 @@ use crate::assembly::chain::Stiffness;
 use crate::assembly::nodes::Relation;
 use crate::assembly::number::Number;
 use crate::assembly::stiff_beam::{StiffBeam, turns};
-use crate::drillstring::{Bending, Tube};
+use crate::bending::Bending;
+use crate::drillstring::Tube;
 
 /// The series is used where |k| times the length is below this, and the length
 /// halved until it is.

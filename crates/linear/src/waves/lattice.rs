@@ -40,7 +40,6 @@ use crate::assembly::number::Number;
 use crate::assembly::torsion::{
     Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
 };
-use crate::channel::Channel;
 use crate::distributed_loss::{Interpolated, LossAlong, LossAt};
 use crate::drillstring::{Drillstring, Section, Tube};
 use crate::error::DrillstringError;
@@ -114,8 +113,8 @@ impl Lattice {
     /// # Errors
     /// Where these are not places of this string.
     pub fn new(string: &Drillstring, sites: &Sites) -> Result<Self, DrillstringError> {
-        let spans = string.surrounded_spans(Channel::Torsion, sites)?;
-        let loss = Arc::new(LossAlong::exact(string, Channel::Torsion, &spans));
+        let spans = string.surrounded_spans(string.channel(), sites)?;
+        let loss = Arc::new(LossAlong::exact(string, string.channel(), &spans));
         let travel = torsional_travel_time(string);
         let fewest = match string.loss().has_memory() {
             true => FEWEST_WITH_MEMORY,
@@ -214,7 +213,8 @@ impl Lattice {
 /// The longest piece in which no wave loses more than it may, s.
 fn longest_damped(string: &Drillstring) -> f64 {
     let rates = string.tubes().map(|(_, tube)| {
-        string.torsional_damping() / (2.0 * string.material().density * tube.polar_moment())
+        string.torsional_damping()
+            / (2.0 * string.material().density * string.section_constant(tube))
     });
     LARGEST_LOSS / rates.fold(0.0, f64::max)
 }

@@ -28,7 +28,6 @@ use crate::assembly::number::Number;
 use crate::assembly::torsion::{
     Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
 };
-use crate::channel::Channel;
 use crate::distributed_loss::{Interpolated, LossAlong};
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::DrillstringError;
@@ -52,10 +51,10 @@ impl<'a> TorsionNetwork<'a> {
     /// # Errors
     /// Where these are not places of this string.
     pub fn new(string: &'a Drillstring, sites: &Sites) -> Result<Self, DrillstringError> {
-        let spans = string.surrounded_spans(Channel::Torsion, sites)?;
+        let spans = string.surrounded_spans(string.channel(), sites)?;
         Ok(Self {
             string,
-            loss: LossAlong::exact(string, Channel::Torsion, &spans),
+            loss: LossAlong::exact(string, string.channel(), &spans),
             spans,
             sites: sites.len(),
         })

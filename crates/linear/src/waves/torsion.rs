@@ -16,9 +16,9 @@ pub fn uniform<T: Number>(
     loss: &LossAt<'_, T>,
 ) -> DynamicStiffness<T> {
     let material = string.material();
-    let polar_moment = tube.polar_moment();
-    let rigidity = material.shear_modulus * polar_moment;
-    let inertia = material.density * polar_moment;
+    let section = string.section_constant(tube);
+    let rigidity = string.modulus() * section;
+    let inertia = material.density * section;
     let mut damped = s * inertia + string.torsional_damping();
     if let Some(mud) = loss.drag_on(tube, hole) {
         damped = damped + mud;

@@ -38,7 +38,8 @@ use crate::assembly::beam_stiffness::BeamStiffness;
 use crate::assembly::bending::Beam;
 use crate::assembly::block::Block;
 use crate::assembly::nodes::Relation;
-use crate::drillstring::{Bending, Drillstring};
+use crate::bending::Bending;
+use crate::drillstring::Drillstring;
 
 /// From (x, x′) and (force, moment) on the top of a piece to those on the top of
 /// the next: `[u; f] ← [[a, b], [c, d]] [u; f]`.

@@ -3,7 +3,8 @@
 use super::GRAVITY;
 use super::short_lengths::short_lengths;
 use super::survey::Survey;
-use crate::drillstring::{Bending, Drillstring};
+use crate::bending::Bending;
+use crate::drillstring::Drillstring;
 use crate::surroundings::{AxialForce, Mud};
 
 /// What a force that changes evenly by 1 along a piece does to the wave in bending that feels it

@@ -10,6 +10,7 @@ mod lengths;
 mod loss;
 mod natural_frequencies;
 mod quasi_static_twist;
+mod regenerative;
 mod sampling;
 mod side_force;
 mod top_drive;

@@ -6,6 +6,7 @@ mod bracket;
 pub mod contact;
 mod contact_residual;
 mod contact_step;
+pub mod cutting;
 mod friction_curve;
 mod in_step;
 mod newton;

@@ -5,12 +5,21 @@ use linear::budget::REAL;
 use linear::elements::stepped::{SteppedChannel, SteppedMotion};
 
 use crate::convolution::{Convolution, Kernels};
+use crate::surface::SurfaceResponse;
 
 /// Torsion: from torques to speeds.
 pub(crate) type Torsion = Channel<1, 1>;
 
 /// Bending in two planes: from forces to displacements.
 pub(crate) type Bending = Channel<2, 2>;
+
+/// Axial motion: from forces at the bit to its speed, and from the surface.
+#[derive(Debug, Clone)]
+pub(crate) struct AxialLines {
+    pub(crate) from_forces: Channel<1, 1>,
+    /// Response of the bit to a surface whose final speed is 1 m/s.
+    pub(crate) surface: SurfaceResponse,
+}
 
 /// A channel as all cases share it. A mesh has `FREEDOMS` degrees of freedom at a node, and moves
 /// in `PLANES` planes.

@@ -17,6 +17,6 @@ pub(crate) mod walls;
 mod waves;
 
 pub(crate) use chain::Chain;
-pub(crate) use channel::{Bending, Channel, Past, Torsion};
+pub(crate) use channel::{AxialLines, Bending, Channel, Past, Torsion};
 pub(crate) use torsion::{TorsionLine, TorsionPast, Within};
 pub(crate) use walls::WallPorts;

@@ -21,7 +21,7 @@ pub(crate) fn pass_free_block<B: TorqueLaw, W: WallLaw>(
 ) -> usize {
     let step = stepper.next_step();
     let count = FIRST_BLOCK.min(stepper.steps() - step);
-    let turns_freely = scene.bit.is_none() && scene.friction.is_empty();
+    let turns_freely = !scene.turns_against_rock() && scene.friction.is_empty();
     let Some(lateral) = scene.lateral.as_ref().filter(|_| turns_freely) else {
         return 0;
     };

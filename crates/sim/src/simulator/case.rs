@@ -172,7 +172,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
             return rubbing.settled(bit).map(Label::Torsion);
         }
         let (lateral, step) = (self.scene.lateral.as_ref()?, self.stepper.next_step());
-        let turns = self.scene.bit.is_some() || !self.scene.friction.is_empty();
+        let turns = self.scene.turns_against_rock() || !self.scene.friction.is_empty();
         if turns || !is_left_alone(lateral, self.system.sampling.start_of(step)) {
             return None;
         }

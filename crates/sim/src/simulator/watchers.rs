@@ -51,7 +51,7 @@ impl Watchers {
         let is_in_pieces = system.torsion.whole().is_none();
         Self {
             bit,
-            rubs_at: lowest.filter(|_| scene.bit.is_none()),
+            rubs_at: lowest.filter(|_| !scene.turns_against_rock()),
             walls,
             rubbing: (!scene.friction.is_empty() && scene.lateral.is_none()).then(|| {
                 let steady_from = system.torsion.steady_from(rules.settling_tolerance);

@@ -61,6 +61,7 @@ fn cutting() -> Scene {
         surface_speed: 0.5,
         bit: Some(BIT),
         friction: Vec::new(),
+        axial: None,
         lateral: None,
         timing: Timing {
             duration: LONGEST,
@@ -84,6 +85,7 @@ fn touching() -> Scene {
         offset: 0.01,
     };
     Scene {
+        axial: None,
         lateral: Some(Lateral {
             walls: vec![WALL],
             impulses: vec![impulse],
@@ -168,6 +170,7 @@ fn a_case_longer_than_its_system_is_refused() {
         for bit in [Some(BIT), None] {
             let scene = Scene {
                 bit,
+                axial: None,
                 lateral: None,
                 ..scene(duration)
             };

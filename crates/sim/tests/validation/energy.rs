@@ -44,6 +44,7 @@ fn rattle(method: &Method, wall: Wall, sampling_frequency: f64, steps: usize) ->
         surface_speed: 6.3,
         bit: None,
         friction: Vec::new(),
+        axial: None,
         lateral: Some(Lateral {
             walls: vec![wall],
             impulses: (0..60).map(impulse).collect(),

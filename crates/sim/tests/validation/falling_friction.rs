@@ -91,6 +91,7 @@ fn contacts(sampling_frequency: f64, wall: Wall) -> Vec<Contact> {
         surface_speed: SPEED,
         bit: None,
         friction: Vec::new(),
+        axial: None,
         lateral: Some(Lateral {
             walls: vec![wall],
             impulses: vec![PUSH, SHORT],
@@ -195,6 +196,7 @@ fn val_sliding_that_friction_may_shake_is_not_taken_as_settled() {
             surface_speed: std::f64::consts::TAU,
             bit: None,
             friction: Vec::new(),
+            axial: None,
             lateral: Some(Lateral {
                 walls: vec![wall],
                 impulses: vec![Impulse {

@@ -162,6 +162,7 @@ fn academic_whirl(
         surface_speed: SPEED,
         bit: None,
         friction: Vec::new(),
+        axial: None,
         lateral: Some(Lateral {
             walls,
             impulses: vec![],

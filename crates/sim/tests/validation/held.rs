@@ -93,6 +93,7 @@ fn val_sharp_fronts_leave_the_limit_of_stick_slip_where_waves_have_it() {
                     surface_speed: rpm(speed),
                     bit: Some(BIT),
                     friction: Vec::new(),
+                    axial: None,
                     lateral: None,
                     timing: torsion_timing(&string, rpm(speed), &BIT, &sim::Start::Rest),
                 };
@@ -153,6 +154,7 @@ fn val_the_default_frequency_has_the_labels_of_a_short_string_that_loses_little(
                 surface_speed: *speed,
                 bit: Some(BIT),
                 friction: Vec::new(),
+                axial: None,
                 lateral: None,
                 timing: timing(*speed),
             };
@@ -232,6 +234,7 @@ impl Pushed {
             surface_speed: SPEED,
             bit: None,
             friction: Vec::new(),
+            axial: None,
             lateral: Some(Lateral {
                 walls: vec![wall],
                 impulses: vec![self.impulse],

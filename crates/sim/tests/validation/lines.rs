@@ -90,6 +90,7 @@ impl With {
                 true => of_nodes.collect(),
                 false => Vec::new(),
             },
+            axial: None,
             lateral: self.walls.then(|| Lateral {
                 walls: vec![wall; WALLS.len()],
                 impulses: vec![impulse],
@@ -367,6 +368,7 @@ fn val_strings_that_rub_and_end_early_have_the_labels_of_those_that_do_not() {
             friction: std::iter::repeat_n(Some(friction), pieces)
                 .chain([None])
                 .collect(),
+            axial: None,
             lateral: None,
             timing: Timing {
                 duration,

@@ -324,6 +324,7 @@ impl Shaken {
                 surface_speed: self.surface_speed,
                 bit: None,
                 friction: Vec::new(),
+                axial: None,
                 lateral: Some(Lateral {
                     walls: walls.collect(),
                     impulses: impulses.clone(),

@@ -30,6 +30,7 @@ fn scene<B>(surface_speed: f64, bit: B) -> Scene<B, Wall> {
         surface_speed,
         bit: Some(bit),
         friction: Vec::new(),
+        axial: None,
         lateral: None,
         timing: Timing {
             duration: DURATION,
@@ -175,6 +176,7 @@ fn positions<W: WallLaw>(system: &System, wall: W) -> (Vec<[f64; 2]>, usize) {
         surface_speed: 6.0,
         bit: None,
         friction: Vec::new(),
+        axial: None,
         lateral: Some(Lateral {
             walls: vec![wall],
             impulses: vec![impulse(0.1, 0.0), impulse(0.5, 2.0)],

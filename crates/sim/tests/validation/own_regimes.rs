@@ -24,6 +24,7 @@ fn scene<B>(surface_speed: f64, start: Start, bit: B) -> Scene<B> {
         start,
         bit: Some(bit),
         friction: Vec::new(),
+        axial: None,
         lateral: None,
         timing: Timing {
             duration: DURATION,
@@ -335,6 +336,7 @@ fn val_a_wall_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_
         };
         let built_in: Scene = Scene {
             bit: None,
+            axial: None,
             lateral: Some(Lateral {
                 walls: vec![wall],
                 impulses: vec![impulse],
@@ -359,6 +361,7 @@ fn val_a_wall_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_
             start: Start::Rest,
             bit: None,
             friction: Vec::new(),
+            axial: None,
             lateral: Some(Lateral {
                 walls: vec![WrappedWall(wall)],
                 impulses: vec![impulse],

@@ -81,6 +81,7 @@ impl Problem {
             start: Start::Rest,
             bit: None,
             friction: pressing.into_iter().map(torque).collect(),
+            axial: None,
             lateral: None,
             timing: Timing {
                 duration: time,

@@ -74,6 +74,7 @@ impl Problem {
             start,
             bit: Some(bit),
             friction: Vec::new(),
+            axial: None,
             lateral: None,
             timing: Timing {
                 duration,
@@ -215,6 +216,7 @@ fn val_cases_that_end_early_have_the_labels_of_those_that_do_not() {
                 start,
                 bit: Some(bit),
                 friction: Vec::new(),
+                axial: None,
                 lateral: None,
             }
         });
@@ -260,6 +262,7 @@ fn disturbed(string: &Drillstring, frequency: f64, bit: BitTorque, speed: f64) -
         start: Start::Steady(rotation(string, &request.sites, speed, torque)),
         bit: Some(bit),
         friction: Vec::new(),
+        axial: None,
         lateral: None,
         timing: Timing {
             duration: request.longest_time,

@@ -63,6 +63,7 @@ impl Both {
             surface_speed: std::f64::consts::TAU,
             bit,
             friction: Vec::new(),
+            axial: None,
             lateral: Some(Lateral {
                 walls: vec![wall; self.sites],
                 impulses: disturbed.iter().map(impulse).collect(),

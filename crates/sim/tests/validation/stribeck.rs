@@ -23,6 +23,7 @@ fn measures(method: Method, sampling_frequency: f64, decay_rpm: f64) -> TorsionM
             decay_speed: decay_rpm * RPM,
         }),
         friction: Vec::new(),
+        axial: None,
         lateral: None,
         timing: Timing {
             duration: 60.0,

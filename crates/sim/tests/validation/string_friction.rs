@@ -37,6 +37,7 @@ fn rubbing(
         start: Start::Rest,
         bit,
         friction,
+        axial: None,
         lateral: None,
         timing: timing(duration),
     }
@@ -113,6 +114,7 @@ fn val_pieces_one_by_one_are_the_whole_string() {
                 surface_speed: 1.0,
                 bit: Some(law),
                 friction: Vec::new(),
+                axial: None,
                 lateral: None,
                 timing: timing(time),
             };

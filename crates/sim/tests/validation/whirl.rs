@@ -76,6 +76,7 @@ impl Case {
             surface_speed,
             bit: None,
             friction: Vec::new(),
+            axial: None,
             lateral: Some(lateral),
             timing: Timing {
                 duration: DURATION,
@@ -314,6 +315,7 @@ fn val_the_bit_cuts_and_touches_the_wall_at_once() {
             surface_speed: SPEED,
             bit: Some(bit),
             friction: Vec::new(),
+            axial: None,
             lateral: Some(case.at_bit(ratio, wall(friction))),
             timing: Timing {
                 duration: DURATION,
@@ -557,6 +559,7 @@ mod oscillator {
             surface_speed: SPEED,
             bit: None,
             friction: Vec::new(),
+            axial: None,
             lateral: Some(Lateral {
                 walls: vec![wall(0.5)],
                 impulses: impulses.iter().map(impulse).collect(),

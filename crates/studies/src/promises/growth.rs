@@ -219,6 +219,7 @@ impl<'a> Simulated<'a> {
             start: Start::Steady(rotation(self.string, &self.sites, speed, torque)),
             bit: Some(self.bit),
             friction: Vec::new(),
+            axial: None,
             lateral: None,
             timing: Timing {
                 duration: self.duration,

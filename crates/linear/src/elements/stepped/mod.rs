@@ -12,8 +12,9 @@ use super::fading::Faded;
 use super::mesh::Mesh;
 use super::newmark::{Motion, Weights};
 use super::torsion::{self, TorsionMatrices};
+use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::drillstring::Drillstring;
 use crate::error::BuildError;
 use crate::loss::Relaxation;
 use crate::method::FiniteElement;
@@ -66,7 +67,7 @@ pub(crate) fn turned(
     let weights = Weights::new(parameters, sampling_frequency)?;
     let mesh = Mesh::new(
         string,
-        Channel::Torsion,
+        string.channel(),
         sites,
         parameters.elements_per_cell,
     )?;

@@ -1,0 +1,131 @@
+//! The string along its axis above a bit that cuts: where the past and its surface bring the bit,
+//! and where the rock leaves it.
+
+use crate::error::SimulationError;
+use crate::laws::cutting::{AxialLine, BitPlace, CutStep, CuttingForces, Face};
+use crate::laws::torque::LoadLine;
+use crate::line::{AxialLines, Past};
+use crate::scene::{Axial, Kick};
+use crate::system::System;
+
+/// The motion of the bit along the axis, with the rock before it.
+#[derive(Debug)]
+pub(crate) struct AxialMotion<'a> {
+    lines: &'a AxialLines,
+    scene: &'a Axial,
+    forces: CuttingForces,
+    /// Forces on the bit, or what they differ by from those of a steady start.
+    past: Past<'a, 1, 1>,
+    /// Rate of penetration and weight of a steady start, m/s and N.
+    steady: Option<[f64; 2]>,
+    place: BitPlace,
+    face: Face,
+    line: AxialLine,
+    /// s.
+    step: f64,
+    /// Disturbance of this step, N m and N.
+    kick: [f64; 2],
+}
+
+impl<'a> AxialMotion<'a> {
+    /// At its start: at rest on flat rock, or, where the bit turns steadily at a `speed` (rad/s),
+    /// penetrating steadily.
+    ///
+    /// # Errors
+    /// Where the system has no axial motion, or a step may turn the bit past a blade.
+    pub(crate) fn new(
+        system: &'a System,
+        scene: &'a Axial,
+        speed: Option<f64>,
+        steps: usize,
+    ) -> Result<Self, SimulationError> {
+        let lines = system.axial.as_ref().ok_or(SimulationError::NoAxialInput)?;
+        let advance = speed.map_or(0.0, |speed| scene.start_rate / speed);
+        let apart = scene.cutting.blade_angles();
+        let depth = |angle: f64| advance * angle;
+        let steady = speed.map(|_| {
+            let mean = apart.iter().map(|angle| depth(*angle)).sum::<f64>() / apart.len() as f64;
+            [scene.start_rate, scene.cutting.steady(mean)[1]]
+        });
+        let step = system.sampling.frequency.recip();
+        let within = step * (1.0 - system.sampling.collocation_offset);
+        Ok(Self {
+            lines,
+            scene,
+            forces: scene.cutting.forces(),
+            past: lines.from_forces.past(steps),
+            steady,
+            place: BitPlace {
+                speed: speed.unwrap_or(0.0),
+                ..BitPlace::default()
+            },
+            face: scene.cutting.face(advance),
+            line: AxialLine {
+                free_speed: 0.0,
+                compliance: lines.from_forces.instant(0, 0),
+                within,
+                step,
+            },
+            step,
+            kick: [0.0; 2],
+        })
+    }
+
+    /// What a step does without weight on the bit.
+    pub(crate) fn find_free_motion(&mut self, step: usize, time: f64) {
+        let mut past = [0.0];
+        self.past.write_past(&mut past);
+        self.kick = self.scene.kick.map_or([0.0; 2], |kick| kick.at(time));
+        let compliance = self.line.compliance;
+        let driven = match self.steady {
+            Some([rate, weight]) => rate + compliance * weight,
+            None => self.scene.feed * self.lines.surface.at(step),
+        };
+        self.line.free_speed = past[0] + driven + compliance * self.kick[1];
+    }
+
+    /// The torque of a disturbance in this step, N m.
+    pub(crate) fn kick(&self) -> f64 {
+        self.kick[0]
+    }
+
+    /// What the bit does in this step on the load line of its rotation.
+    #[inline]
+    pub(crate) fn meet(&self, line: LoadLine) -> CutStep {
+        self.forces.meet(&self.place, &self.face, line, &self.line)
+    }
+
+    /// Ends a step with what the bit did.
+    pub(crate) fn end_step(&mut self, cut: &CutStep) {
+        let weight = self.steady.map_or(0.0, |[_, weight]| weight);
+        self.past.add(&[weight - cut.weight + self.kick[1]]);
+        let place = &mut self.place;
+        place.angle += self.step * cut.speed;
+        place.depth += self.step * cut.rate;
+        place.speed = cut.speed;
+        self.face.leave(place.angle, place.depth);
+        if cut.speed > 0.0 || place.depth > place.deepest {
+            place.deepest = place.depth;
+        }
+    }
+
+    /// Where the bit is at the end of the last step.
+    pub(crate) fn place(&self) -> &BitPlace {
+        &self.place
+    }
+
+    /// The rock that it has left.
+    pub(crate) fn face(&self) -> &Face {
+        &self.face
+    }
+}
+
+impl Kick {
+    /// Torque and force on the bit at a time (s), N m and N.
+    fn at(&self, time: f64) -> [f64; 2] {
+        match time < self.duration {
+            true => [self.torque, self.force],
+            false => [0.0; 2],
+        }
+    }
+}

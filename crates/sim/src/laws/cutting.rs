@@ -1,0 +1,432 @@
+//! A bit whose blades cut what the blades before have left: torque and weight follow from the depth
+//! of cut, and this from where the bit was one blade earlier.
+//!
+//! With U the depth of the bit and S(θ) that of the rock which the last blade left at the angle θ,
+//! a blade cuts δ = U − S(φ − α) deep. The rock holds against that
+//!
+//! T = k_t δ⁺ + β W_f,  W = k_a δ⁺ + W_f,  k_t = ½ ε a² n,  k_a = ζ ε a n,  β = ½ μγ a,
+//!
+//! with the parameters of the rock law of E. Detournay, T. Richard and M. Shepherd ([`CuttingLaw`]),
+//! so that steady drilling is that law, weight and torque an answer instead of given. The wear
+//! flats carry all they can, W_m, while the bit goes down, nothing while it rises, and as much as
+//! holds it where it rests. Off bottom nothing acts. Regenerative cutting is that of T. Richard, C.
+//! Germay and E. Detournay, "A simplified model to explore the root cause of stick-slip vibrations
+//! in drilling systems with drag bits", *Journal of Sound and Vibration* 305 (2007) 432–456, with
+//! two repairs: what is left is the deepest cut so far, S ← max(U, S(φ − α)), as no rock grows back
+//! under a bit that bounces; and relief bounds the advance per angle, so that a bit that stands
+//! still does not sink in.
+//!
+//! A step (speeds held over it, the law met where they are) leaves two load lines, ω = ω_h − A_t T
+//! and v = v_h − A_a W. At a given ω one v meets W(v), which grows: the axial part is a law for
+//! itself. What is left is one equation in ω, continuous and piecewise linear.
+
+mod advance;
+mod face;
+
+pub use face::Face;
+
+use super::rock::CuttingLaw;
+use super::torque::LoadLine;
+use crate::ranges::{SceneError, positive};
+use advance::{Advance, Grip};
+
+/// A bit that cuts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cutting {
+    /// The rock, and the bit's radius and wear.
+    pub rock: CuttingLaw,
+    /// How the wear flats come to carry weight.
+    pub contact: FlatContact,
+    /// The blades.
+    pub blades: Blades,
+    /// λ/a: tangent of the angle of relief behind the cutters, by which they sink at most; infinite
+    /// where nothing bounds that.
+    pub relief: f64,
+}
+
+/// How the wear flats come to carry weight.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FlatContact {
+    /// In proportion to the depth of cut, by the contact growth of the rock, up to their strength.
+    Grows,
+    /// All at once.
+    AtOnce,
+}
+
+/// The blades of a bit.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Blades {
+    /// A number of them, evenly spaced.
+    Even(usize),
+    /// The angle from each to the next, rad; 2π together.
+    Uneven(Vec<f64>),
+}
+
+/// What a step leaves open along the axis: the bit goes down at `free_speed − compliance × weight`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxialLine {
+    /// Speed without weight on the bit in this step, m/s, down.
+    pub free_speed: f64,
+    /// A(0): speed per force within the step, m/s per N.
+    pub compliance: f64,
+    /// From the beginning of the step to where its speeds are taken, s.
+    pub within: f64,
+    /// The whole step, s.
+    pub step: f64,
+}
+
+/// Where a bit stands.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BitPlace {
+    /// φ, rad.
+    pub angle: f64,
+    /// U, m, from where it began, down.
+    pub depth: f64,
+    /// The deepest that it was since it last turned, m.
+    pub deepest: f64,
+    /// Its speed in the last step, rad/s.
+    pub speed: f64,
+}
+
+/// What a bit does in a step.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub struct CutStep {
+    /// ω, rad/s.
+    pub speed: f64,
+    /// v, m/s, down.
+    pub rate: f64,
+    /// T: against the rotation, N m; negative where the rock keeps it from turning back.
+    pub torque: f64,
+    /// W: weight on bit, N.
+    pub weight: f64,
+    /// Depth of cut of a blade, the mean of all, m; negative off bottom.
+    pub depth_of_cut: f64,
+    /// Whether any blade touches rock.
+    pub touches: bool,
+}
+
+/// The law with its constants at hand.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct CuttingForces {
+    /// k_t, N m/m.
+    torque: f64,
+    /// β, m.
+    flat_radius: f64,
+    /// λ, m/rad.
+    relief: f64,
+    grip: Grip,
+    /// Angle from a blade to the one before, rad: of each, or the one of all.
+    angles: Vec<f64>,
+}
+
+/// Steps of a solver, far more than it takes.
+const MOST_STEPS: usize = 80;
+
+/// What is left of a speed is rounding, in parts of the free speed.
+const ROUNDING: f64 = 4e-15;
+
+impl Cutting {
+    /// Checks that there is such a bit.
+    pub(crate) fn check(&self) -> Result<(), SceneError> {
+        let rock = &self.rock;
+        positive("radius of the bit in m", rock.bit_radius)?;
+        positive("specific energy of the rock in Pa", rock.specific_energy)?;
+        positive("cutting ratio of the rock", rock.cutting_ratio)?;
+        positive("contact growth of the rock", rock.contact_growth)?;
+        if self.relief != f64::INFINITY {
+            positive("tangent of the relief angle", self.relief)?;
+        }
+        crate::ranges::not_negative("friction of the wear flats", rock.friction)?;
+        crate::ranges::not_negative("contact strength in Pa", rock.contact_strength)?;
+        crate::ranges::not_negative("wear flat in m", rock.wear_flat)?;
+        match &self.blades {
+            Blades::Even(0) => Err(SceneError::NoBlades),
+            Blades::Even(_) => Ok(()),
+            Blades::Uneven(angles) => {
+                let turn: f64 = angles.iter().sum();
+                let is_turn = (turn / std::f64::consts::TAU - 1.0).abs() < 1e-6;
+                let is_few = angles.len() <= MOST_PROFILES;
+                match is_turn && is_few && angles.iter().all(|angle| *angle > 0.0) {
+                    true => Ok(()),
+                    false => Err(SceneError::BladeAngles),
+                }
+            }
+        }
+    }
+
+    /// Number of blades.
+    pub fn blades(&self) -> usize {
+        match &self.blades {
+            Blades::Even(count) => *count,
+            Blades::Uneven(angles) => angles.len(),
+        }
+    }
+
+    /// Angles from each blade to the one before, rad: one for all where they are even.
+    pub fn blade_angles(&self) -> Vec<f64> {
+        match &self.blades {
+            Blades::Even(count) => vec![std::f64::consts::TAU / *count as f64],
+            Blades::Uneven(angles) => angles.clone(),
+        }
+    }
+
+    /// k_t, k_a (N m and N per m of depth of cut of all blades).
+    fn stiffnesses(&self) -> [f64; 2] {
+        let (rock, blades) = (&self.rock, self.blades() as f64);
+        let cut = rock.specific_energy * rock.bit_radius * blades;
+        [0.5 * cut * rock.bit_radius, rock.cutting_ratio * cut]
+    }
+
+    /// k_c, N/m, and the most that the flats carry, N.
+    fn flats(&self) -> [f64; 2] {
+        let rock = &self.rock;
+        let strength = rock.bit_radius * rock.contact_strength;
+        let growth = match self.contact {
+            FlatContact::Grows => strength * rock.contact_growth * self.blades() as f64,
+            FlatContact::AtOnce => f64::INFINITY,
+        };
+        [growth, strength * rock.wear_flat]
+    }
+
+    /// β, m.
+    fn flat_radius(&self) -> f64 {
+        0.5 * self.rock.friction * self.rock.bit_radius
+    }
+
+    /// Torque (N m) and weight (N) of steady drilling at a depth of cut of each blade, m.
+    pub fn steady(&self, depth_of_cut: f64) -> [f64; 2] {
+        let ([torque, weight], [growth, most]) = (self.stiffnesses(), self.flats());
+        let flat = (growth * depth_of_cut).min(most);
+        [
+            torque * depth_of_cut + self.flat_radius() * flat,
+            weight * depth_of_cut + flat,
+        ]
+    }
+
+    /// The depth of cut of each blade (m) at which steady drilling takes a weight, N; zero where the
+    /// flats carry it all.
+    pub fn steady_depth_of_cut(&self, weight: f64) -> f64 {
+        let ([_, stiffness], [growth, most]) = (self.stiffnesses(), self.flats());
+        let first = weight / (stiffness + growth);
+        match growth * first <= most {
+            true => first,
+            false => ((weight - most) / stiffness).max(0.0),
+        }
+    }
+
+    /// Torque and weight per depth of cut (N m/m, N/m), of all blades, as small motion about a
+    /// steady depth of cut (m) feels them: with the flats while what they carry grows.
+    pub fn steady_stiffnesses(&self, depth_of_cut: f64) -> [f64; 2] {
+        let ([torque, weight], [growth, most]) = (self.stiffnesses(), self.flats());
+        match growth * depth_of_cut < most {
+            true => [torque + self.flat_radius() * growth, weight + growth],
+            false => [torque, weight],
+        }
+    }
+
+    pub(crate) fn forces(&self) -> CuttingForces {
+        let ([torque, weight], [growth, most]) = (self.stiffnesses(), self.flats());
+        CuttingForces {
+            torque,
+            flat_radius: self.flat_radius(),
+            relief: self.relief * self.rock.bit_radius,
+            grip: Grip {
+                weight,
+                growth,
+                most,
+            },
+            angles: self.blade_angles(),
+        }
+    }
+
+    /// The face of a bit that starts: the rock flat, or, in steady drilling, by its advance per angle
+    /// (m/rad).
+    pub(crate) fn face(&self, advance: f64) -> Face {
+        Face::new(self.blade_angles(), advance)
+    }
+}
+
+/// What the law answers to a rotation speed.
+#[derive(Debug, Clone, Copy)]
+struct Trial {
+    speed: f64,
+    /// r(ω) = ω_h − A_t T(ω) − ω, and its slope.
+    residual: f64,
+    slope: f64,
+    torque: f64,
+    advance: Advance,
+}
+
+impl CuttingForces {
+    /// Meets both load lines of a step.
+    pub(crate) fn meet(
+        &self,
+        place: &BitPlace,
+        face: &Face,
+        line: LoadLine,
+        axial: &AxialLine,
+    ) -> CutStep {
+        let at = |speed: f64| self.try_speed(speed, place, face, line, axial);
+        let held = at(0.0);
+        if line.free_speed <= 0.0 {
+            // Rock keeps a bit from turning back; in the air it does.
+            return match held.advance.touches {
+                true => self.stuck(line, held),
+                false => CutStep {
+                    speed: line.free_speed,
+                    ..self.step(at(line.free_speed))
+                },
+            };
+        }
+        let is_steep = self.may_be_steep(place, face, line, axial);
+        if is_steep && place.speed > 0.0 {
+            if let Some(found) = self.fastest(place, face, (line, axial), &at) {
+                return self.step(found);
+            }
+        }
+        if held.residual <= 0.0 {
+            return self.stuck(line, held);
+        }
+        let guess = place.speed.clamp(0.0, line.free_speed);
+        self.step(solve(held, line.free_speed, guess, at))
+    }
+
+    /// Whether the torque may fall with speed as steeply as the load line, as the rock before the bit
+    /// rises, which relief bounds: then more than one speed may meet both.
+    fn may_be_steep(
+        &self,
+        place: &BitPlace,
+        face: &Face,
+        line: LoadLine,
+        axial: &AxialLine,
+    ) -> bool {
+        let growth = Some(self.grip.growth).filter(|growth| growth.is_finite());
+        let per_depth = self.torque + self.flat_radius * growth.unwrap_or(0.0);
+        let per_rise = line.compliance * per_depth * axial.within;
+        let reach = || place.angle + axial.within * line.free_speed;
+        per_rise * self.relief >= 1.0 && per_rise * face.steepest(place.angle, reach()) >= 1.0
+    }
+
+    /// The fastest speed that meets both lines, from the ends of straight pieces of the face.
+    fn fastest(
+        &self,
+        place: &BitPlace,
+        face: &Face,
+        (line, axial): (LoadLine, &AxialLine),
+        at: &impl Fn(f64) -> Trial,
+    ) -> Option<Trial> {
+        let reach = place.angle + axial.within * line.free_speed;
+        let mut above = line.free_speed;
+        for angle in face.corners_between(place.angle, reach) {
+            let trial = at((angle - place.angle) / axial.within);
+            if trial.residual > 0.0 {
+                return Some(solve(trial, above, above, at));
+            }
+            above = trial.speed;
+        }
+        None
+    }
+
+    fn stuck(&self, line: LoadLine, held: Trial) -> CutStep {
+        CutStep {
+            speed: 0.0,
+            torque: line.free_speed / line.compliance,
+            ..self.step(held)
+        }
+    }
+
+    fn step(&self, trial: Trial) -> CutStep {
+        let Advance {
+            rate,
+            weight,
+            depth_of_cut,
+            touches,
+            ..
+        } = trial.advance;
+        CutStep {
+            speed: trial.speed,
+            rate,
+            torque: trial.torque,
+            weight,
+            depth_of_cut,
+            touches,
+        }
+    }
+
+    fn try_speed(
+        &self,
+        speed: f64,
+        place: &BitPlace,
+        face: &Face,
+        line: LoadLine,
+        axial: &AxialLine,
+    ) -> Trial {
+        let angle = place.angle + axial.within * speed;
+        let blades = self.angles.len();
+        let mut gaps = [advance::Gap::default(); MOST_PROFILES];
+        for (blade, gap) in gaps[..blades].iter_mut().enumerate() {
+            let (rock, rise) = face.ahead(blade, angle);
+            *gap = advance::Gap {
+                depth: place.depth - rock,
+                change: -axial.within * rise,
+            };
+        }
+        let gaps = &gaps[..blades];
+        let nearest = gaps
+            .iter()
+            .fold(f64::NEG_INFINITY, |near, gap| near.max(gap.depth));
+        let free = (place.deepest - place.depth).max(-nearest).max(0.0);
+        let bound = advance::Bound {
+            rate: match speed > 0.0 {
+                true => self.relief * speed,
+                false => 0.0,
+            } + free / axial.step,
+            change: self.relief,
+        };
+        let advance = self.grip.meet(axial, gaps, bound);
+        let flat = advance.weight - self.grip.weight * advance.cut;
+        let flat = flat.clamp(0.0, advance.most_on_flats);
+        let flat_change = advance.weight_change - self.grip.weight * advance.cut_change;
+        let torque = self.torque * advance.cut + self.flat_radius * flat;
+        let change = self.torque * advance.cut_change + self.flat_radius * flat_change;
+        Trial {
+            speed,
+            residual: line.free_speed - line.compliance * torque - speed,
+            slope: -1.0 - line.compliance * change,
+            torque,
+            advance,
+        }
+    }
+}
+
+/// The most blades of a bit that are not evenly spaced.
+pub const MOST_PROFILES: usize = 20;
+
+/// The speed between that of a trial, where the residual is positive, and one above, where it is
+/// not, by Newton's method from a guess, kept between both.
+fn solve(low: Trial, high: f64, guess: f64, at: impl Fn(f64) -> Trial) -> Trial {
+    let (mut low, mut high) = (low.speed, high);
+    let scale = high.abs().max(f64::MIN_POSITIVE);
+    let mut next = guess;
+    let mut found = at(next);
+    for _ in 0..MOST_STEPS {
+        if found.residual.abs() <= ROUNDING * scale || high - low <= ROUNDING * scale {
+            break;
+        }
+        if found.residual > 0.0 {
+            low = found.speed;
+        } else {
+            high = found.speed;
+        }
+        let newton = found.speed - found.residual / found.slope;
+        next = match newton > low && newton < high {
+            true => newton,
+            false => 0.5 * (low + high),
+        };
+        found = at(next);
+    }
+    found
+}

@@ -1,0 +1,317 @@
+//! A bit that cuts what its blades have left, on strings whose answer independent programs know:
+//! exact delay lines in steps of 5 µs.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use linear::estimates::torsional_impedance;
+use linear::{
+    Axial, ChannelRequest, Drillstring, Hoist, Material, Method, Request, Section, Sites, TopDrive,
+    Tube, steady,
+};
+use sim::laws::cutting::CutStep;
+use sim::laws::rock::CuttingLaw;
+use sim::{
+    Blades, Cutting, FlatContact, Kick, Scene, Start, Stepper, SurfaceProfile, System, Timing,
+};
+
+const STEEL: Material = Material {
+    shear_modulus: 80e9,
+    density: 7840.0,
+};
+
+fn pipe(length: f64) -> Tube {
+    Tube {
+        length,
+        inner_radius: 0.054,
+        outer_radius: 0.0635,
+    }
+}
+
+fn collar(length: f64) -> Tube {
+    Tube {
+        length,
+        inner_radius: 0.0286,
+        outer_radius: 0.0762,
+    }
+}
+
+/// A string as it twists and as it stretches, whose upper end sends back −η of a wave in torsion
+/// and along the axis; and the damping of its hoist.
+fn strings(tubes: &[Tube], [eta_t, eta_a]: [f64; 2]) -> (Drillstring, Drillstring, f64) {
+    let section = |tube: &Tube| Section {
+        repeat: 1,
+        parts: vec![*tube],
+    };
+    let string = Drillstring::new(STEEL, tubes.iter().map(section).collect(), 0.0).unwrap();
+    let dashpot = |rod: &Drillstring, eta: f64| {
+        torsional_impedance(rod, &tubes[0]) * (1.0 + eta) / (1.0 - eta)
+    };
+    let axial = |hoist| Axial {
+        youngs_modulus: 210e9,
+        damping: 0.0,
+        hoist,
+    };
+    let damping = dashpot(&axial(None).rod(&string).unwrap(), eta_a);
+    let hoist = Hoist {
+        mass: 0.0,
+        damping,
+        stiffness: 0.0,
+    };
+    let rod = axial(Some(hoist)).rod(&string).unwrap();
+    let drive = TopDrive {
+        inertia: 0.0,
+        proportional_gain: dashpot(&string, eta_t),
+        integral_gain: 0.0,
+    };
+    (string.with_top_drive(drive).unwrap(), rod, damping)
+}
+
+fn bit(specific_energy: f64, wear_flat: f64) -> Cutting {
+    Cutting {
+        rock: CuttingLaw {
+            bit_radius: 0.108,
+            specific_energy,
+            cutting_ratio: 0.6,
+            friction: 0.6,
+            contact_strength: 60e6,
+            contact_growth: 1.0,
+            wear_flat,
+            poor_cleaning: None,
+        },
+        contact: FlatContact::AtOnce,
+        blades: Blades::Even(4),
+        relief: f64::INFINITY,
+    }
+}
+
+fn system(
+    string: &Drillstring,
+    rod: &Drillstring,
+    (step, duration): (f64, f64),
+    ramp: f64,
+) -> System {
+    let request = Request {
+        sites: Sites::bit(),
+        channels: vec![
+            ChannelRequest::Torsion { torques: vec![0] },
+            ChannelRequest::Axial {
+                rod: rod.clone(),
+                forces: vec![0],
+            },
+        ],
+        sampling_frequency: 1.0 / step,
+        longest_time: duration,
+    };
+    let responses = linear::responses(string, &Method::Held, &request).unwrap();
+    let profile = SurfaceProfile::Rise(ramp);
+    let system = System::started(&responses, &profile).unwrap();
+    system.moving_along(&responses, &profile).unwrap()
+}
+
+/// Every step of a case that begins with steady drilling at Ω and V, kicked.
+fn drilled(
+    tubes: &[Tube],
+    etas: [f64; 2],
+    cutting: &Cutting,
+    [speed, rate]: [f64; 2],
+    kick: Kick,
+    (step, duration): (f64, f64),
+) -> Vec<CutStep> {
+    let (string, rod, _) = strings(tubes, etas);
+    let depth = rate * FRAC_PI_2 / speed;
+    let [torque, _] = cutting.steady(depth);
+    // The speed that the drive is set to, so that the bit turns at Ω.
+    let gain = string.top_drive().unwrap().proportional_gain;
+    let motion = steady::rotation(&string, &Sites::bit(), speed + torque / gain, torque);
+    assert!((motion.speeds[0] / speed - 1.0).abs() < 1e-12);
+    let system = system(&string, &rod, (step, duration), 0.0);
+    let scene: Scene = Scene {
+        surface_speed: speed + torque / gain,
+        start: Start::Steady(motion),
+        bit: None,
+        friction: Vec::new(),
+        axial: Some(sim::Axial {
+            cutting: cutting.clone(),
+            feed: rate,
+            start_rate: rate,
+            kick: Some(kick),
+        }),
+        lateral: None,
+        timing: Timing {
+            duration,
+            closing_window: 40.0,
+        },
+    };
+    let mut stepper = Stepper::new(&system, &scene).unwrap();
+    let mut steps = Vec::new();
+    while let Some(now) = stepper.step().unwrap() {
+        steps.push(now.cut.unwrap());
+    }
+    steps
+}
+
+fn mean(steps: &[CutStep], of: impl Fn(&CutStep) -> f64) -> f64 {
+    steps.iter().map(of).sum::<f64>() / steps.len() as f64
+}
+
+fn most(steps: &[CutStep], of: impl Fn(&CutStep) -> f64) -> f64 {
+    steps.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn assert_part(what: &str, found: f64, expected: f64, part: f64) {
+    assert!(
+        (found / expected - 1.0).abs() < part,
+        "{what}: {found} {expected}"
+    );
+}
+
+/// Mean time between rises above a speed, s.
+fn period(steps: &[CutStep], speed: f64, step: f64) -> f64 {
+    let rises: Vec<f64> = (1..steps.len())
+        .filter(|&at| steps[at - 1].speed <= speed && steps[at].speed > speed)
+        .map(|at| {
+            let [before, after] = [steps[at - 1].speed, steps[at].speed];
+            (at - 1) as f64 + (speed - before) / (after - before)
+        })
+        .collect();
+    let [first, last] = [rises[0], rises[rises.len() - 1]];
+    (last - first) * step / (rises.len() - 1) as f64
+}
+
+/// It sticks: a plain string, most of a torsional wave sent back and little of an axial one.
+#[test]
+fn val_stick_slip_of_a_bit_that_cuts() {
+    let kick = Kick {
+        torque: 1000.0,
+        force: 5000.0,
+        duration: 2.0,
+    };
+    let cutting = bit(60e6, 5e-3);
+    let (step, duration) = (1e-3, 140.0);
+    let steps = drilled(
+        &[pipe(2000.0)],
+        [0.9, 0.3],
+        &cutting,
+        [4.0, 0.006],
+        kick,
+        (step, duration),
+    );
+    let last = &steps[steps.len() - 40_000..];
+    // Two slips of each cycle are that fast.
+    assert_part("period", 2.0 * period(last, 9.0, step), 0.826237, 3e-4);
+    assert_part("mean torque", mean(last, |it| it.torque), 4328.15, 3e-4);
+    assert_part("mean weight", mean(last, |it| it.weight), 69064.66, 3e-4);
+    assert_part("mean rate", mean(last, |it| it.rate), 0.0059201, 3e-4);
+    assert_part(
+        "deepest cut",
+        most(last, |it| it.depth_of_cut),
+        2.45811e-3,
+        3e-4,
+    );
+    assert_part("greatest torque", most(last, |it| it.torque), 4490.32, 3e-4);
+    assert_part("greatest speed", most(last, |it| it.speed), 9.634, 1e-2);
+    let stuck = mean(last, |it| f64::from(u8::from(it.speed == 0.0)));
+    assert!((stuck - 0.11282).abs() < 2e-3, "{stuck}");
+    let at_rest = mean(last, |it| f64::from(u8::from(it.rate == 0.0)));
+    assert!((at_rest - 0.6075).abs() < 2e-3, "{at_rest}");
+}
+
+/// It turns on, while the axis swings.
+#[test]
+fn val_axial_chatter_of_a_bit_that_cuts() {
+    let kick = Kick {
+        torque: 300.0,
+        force: 0.0,
+        duration: 1.0,
+    };
+    let tubes = [pipe(1800.0), collar(200.0)];
+    let cutting = bit(60e6, 5e-3);
+    let steps = drilled(
+        &tubes,
+        [0.7, 0.0],
+        &cutting,
+        [8.0, 0.004],
+        kick,
+        (5e-4, 140.0),
+    );
+    let last = &steps[steps.len() - 80_000..];
+    assert_part("mean torque", mean(last, |it| it.torque), 2197.18, 3e-4);
+    assert_part("mean weight", mean(last, |it| it.weight), 44577.31, 3e-4);
+    assert_part(
+        "deepest cut",
+        most(last, |it| it.depth_of_cut),
+        1.12292e-3,
+        1e-3,
+    );
+    assert_part("greatest torque", most(last, |it| it.torque), 2621.49, 1e-3);
+    let at_rest = mean(last, |it| f64::from(u8::from(it.rate == 0.0)));
+    assert!((at_rest - 0.3352).abs() < 2e-3, "{at_rest}");
+}
+
+/// From rest to steady drilling under a weight that is set, by its closed form.
+#[test]
+fn val_steady_drilling_from_rest() {
+    let (string, rod, damping) = strings(&[pipe(2000.0)], [0.7, -0.7]);
+    let cutting = bit(4e6, 2e-3);
+    let (step, duration) = (1.0 / 640.0, 120.0);
+    let system = system(&string, &rod, (step, duration), 5.0);
+    let (set_speed, set_weight) = (20.0, 20e3);
+    let scene: Scene = Scene {
+        surface_speed: set_speed,
+        start: Start::Rest,
+        bit: None,
+        friction: Vec::new(),
+        axial: Some(sim::Axial {
+            cutting: cutting.clone(),
+            feed: set_weight / damping,
+            start_rate: 0.0,
+            kick: None,
+        }),
+        lateral: None,
+        timing: Timing {
+            duration,
+            closing_window: 10.0,
+        },
+    };
+    let mut stepper = Stepper::new(&system, &scene).unwrap();
+    let mut last = None;
+    while let Some(now) = stepper.step().unwrap() {
+        last = now.cut;
+    }
+    let last = last.unwrap();
+    // Set speeds less what torque and weight take of them; d the advance of a revolution.
+    let gain = string.top_drive().unwrap().proportional_gain;
+    let depth = {
+        let off = |depth: f64| {
+            let [torque, weight] = cutting.steady(depth);
+            let speed = set_speed - torque / gain;
+            let rate = depth * 4.0 * speed / TAU;
+            set_weight - damping * rate - weight
+        };
+        let (mut low, mut high) = (0.0, 0.01);
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if off(middle) > 0.0 {
+                low = middle
+            } else {
+                high = middle
+            }
+        }
+        low
+    };
+    let [torque, weight] = cutting.steady(depth);
+    assert_part("depth of cut", last.depth_of_cut, depth, 1e-6);
+    assert_part("torque", last.torque, torque, 1e-6);
+    assert_part("weight", last.weight, weight, 1e-6);
+    assert_part("speed", last.speed, set_speed - torque / gain, 1e-6);
+    // To the digits of the independent program.
+    for (found, known) in [
+        (last.speed, 19.475303),
+        (last.depth_of_cut, 5.222063e-3),
+        (last.rate, 0.0647450),
+        (last.torque, 907.185),
+        (last.weight, 18374.235),
+    ] {
+        assert_part("known", found, known, 1e-6);
+    }
+}
