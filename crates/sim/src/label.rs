@@ -6,6 +6,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::motion::{Motion, PerMotion};
+use crate::watch::axial::AxialRegime;
 use crate::watch::lateral::LateralRegime;
 use crate::watch::torsion::TorsionRegime;
 
@@ -17,6 +18,8 @@ pub enum Label {
     Torsion(TorsionRegime),
     /// Of lateral motion.
     Lateral(LateralRegime),
+    /// Of axial motion.
+    Axial(AxialRegime),
 }
 
 impl Label {
@@ -25,6 +28,7 @@ impl Label {
         match motion {
             Motion::Torsion => TorsionRegime::ALL.map(Label::Torsion).to_vec(),
             Motion::Lateral => LateralRegime::ALL.map(Label::Lateral).to_vec(),
+            Motion::Axial => AxialRegime::ALL.map(Label::Axial).to_vec(),
         }
     }
 
@@ -33,6 +37,7 @@ impl Label {
         match self {
             Label::Torsion(_) => Motion::Torsion,
             Label::Lateral(_) => Motion::Lateral,
+            Label::Axial(_) => Motion::Axial,
         }
     }
 
@@ -41,6 +46,7 @@ impl Label {
         match self {
             Label::Torsion(regime) => regime.name(),
             Label::Lateral(regime) => regime.name(),
+            Label::Axial(regime) => regime.name(),
         }
     }
 
@@ -56,6 +62,7 @@ impl Label {
         match self {
             Label::Torsion(TorsionRegime::Stuck) => None,
             Label::Torsion(regime) => Some(regime != TorsionRegime::Smooth),
+            Label::Axial(regime) => Some(regime != AxialRegime::Steady),
             Label::Lateral(regime) => Some(matches!(
                 regime,
                 LateralRegime::BackwardWhirl | LateralRegime::ForwardWhirl
@@ -67,6 +74,12 @@ impl Label {
 impl From<TorsionRegime> for Label {
     fn from(regime: TorsionRegime) -> Self {
         Label::Torsion(regime)
+    }
+}
+
+impl From<AxialRegime> for Label {
+    fn from(regime: AxialRegime) -> Self {
+        Label::Axial(regime)
     }
 }
 

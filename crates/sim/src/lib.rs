@@ -77,8 +77,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod axial_motion;
-mod convolution;
+mod axial_motion;
+pub mod convolution;
 mod coupling;
 pub mod diagnosis;
 mod error;
@@ -138,6 +138,7 @@ pub use system::System;
 pub use timing::torsion_timing;
 pub use trajectory::Trajectory;
 pub use watch::along::StringTorque;
+pub use watch::axial::{AxialMeasures, AxialRegime};
 pub use watch::lateral::{LateralMeasures, LateralRegime};
 pub use watch::surface::SurfaceMeasures;
 pub use watch::torsion::{TorsionMeasures, TorsionRegime};

@@ -1,7 +1,7 @@
 //! The motions of a string that a label is given to, and values by motion.
 //!
-//! A scene with a bit has a label of torsion, one with a wall a lateral label, one with both
-//! has two.
+//! A scene with a bit has a label of torsion, one with a wall a lateral label, one with a bit that
+//! cuts an axial one.
 
 use std::fmt;
 use std::ops::{Index, IndexMut};
@@ -20,6 +20,8 @@ with_words! {
         Torsion = "torsion",
         /// How the string moves sideways.
         Lateral = "lateral",
+        /// How the bit moves along its axis.
+        Axial = "axial",
     }
 }
 
@@ -29,6 +31,7 @@ impl Motion {
         match self {
             Motion::Torsion => "Torsion",
             Motion::Lateral => "Lateral motion",
+            Motion::Axial => "Axial motion",
         }
     }
 
@@ -37,6 +40,7 @@ impl Motion {
         match self {
             Motion::Torsion => "torsional",
             Motion::Lateral => "lateral",
+            Motion::Axial => "axial",
         }
     }
 
@@ -45,6 +49,7 @@ impl Motion {
         match self {
             Motion::Torsion => ["stick-slip", "smooth"],
             Motion::Lateral => ["sustained whirl", "no sustained whirl"],
+            Motion::Axial => ["axial vibration", "steady"],
         }
     }
 }
@@ -166,7 +171,11 @@ mod tests {
             .collect();
         assert_eq!(
             all,
-            [(Motion::Torsion, "Torsion"), (Motion::Lateral, "sideways")]
+            [
+                (Motion::Torsion, "Torsion"),
+                (Motion::Lateral, "sideways"),
+                (Motion::Axial, "Axial motion")
+            ]
         );
     }
 }

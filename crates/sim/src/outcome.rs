@@ -6,6 +6,7 @@ use crate::error::SimulationError;
 use crate::label::{Label, Labels};
 use crate::motion::{Motion, PerMotion};
 use crate::watch::along::StringTorque;
+use crate::watch::axial::AxialMeasures;
 use crate::watch::lateral::LateralMeasures;
 use crate::watch::surface::SurfaceMeasures;
 use crate::watch::torsion::TorsionMeasures;
@@ -46,6 +47,8 @@ pub enum Measures {
     Torsion(TorsionMeasures),
     /// Of lateral motion.
     Lateral(LateralMeasures),
+    /// Of axial motion.
+    Axial(AxialMeasures),
 }
 
 impl Measures {
@@ -54,6 +57,7 @@ impl Measures {
         match self {
             Measures::Torsion(torsion) => torsion.regime.into(),
             Measures::Lateral(lateral) => lateral.regime.into(),
+            Measures::Axial(axial) => axial.regime.into(),
         }
     }
 
@@ -62,6 +66,7 @@ impl Measures {
         match self {
             Measures::Torsion(torsion) => torsion.numbers().to_vec(),
             Measures::Lateral(lateral) => lateral.numbers().to_vec(),
+            Measures::Axial(axial) => axial.numbers().to_vec(),
         }
     }
 }
@@ -78,8 +83,8 @@ pub struct Outcome {
     /// same.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub predicted: Option<Label>,
-    /// Regime and measures of each motion that is modelled: of the bit, where it meets rock, and
-    /// of lateral motion.
+    /// Regime and measures of each motion that is modelled: of the bit, where it meets rock,
+    /// of lateral motion, and of axial motion.
     #[serde(flatten)]
     pub measures: PerMotion<Option<Measures>>,
     /// What turns the surface, where that is followed.
@@ -103,6 +108,14 @@ impl Outcome {
     pub fn lateral(&self) -> Option<LateralMeasures> {
         match self.measures[Motion::Lateral] {
             Some(Measures::Lateral(lateral)) => Some(lateral),
+            _ => None,
+        }
+    }
+
+    /// What was measured of the axial motion, where the bit cuts.
+    pub fn axial(&self) -> Option<AxialMeasures> {
+        match self.measures[Motion::Axial] {
+            Some(Measures::Axial(axial)) => Some(axial),
             _ => None,
         }
     }

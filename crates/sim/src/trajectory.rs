@@ -41,6 +41,7 @@
 use linear::budget::REAL;
 
 use crate::laws::contact::{Touch, WallLaw};
+use crate::laws::cutting::CutStep;
 use crate::laws::torque::TorqueLaw;
 use crate::scene::Scene;
 use crate::stepper::Stepper;
@@ -56,6 +57,8 @@ pub struct Trajectory {
     /// Torque on the bit, positive in the direction of rotation, N m; empty
     /// where the bit is free.
     pub bit_torque: Vec<f64>,
+    /// What a bit that cuts does; empty without axial motion.
+    pub cut: Vec<CutStep>,
     /// Torque with which the surface is turned, below a top drive that of its motor, N m; empty
     /// unless it is asked for ([`crate::SurfaceTorque`]).
     pub surface_torque: Vec<f64>,
@@ -104,6 +107,7 @@ impl Trajectory {
             times: Vec::new(),
             speeds: vec![vec![0.0; held.len()]; system.torsion.loaded().len()],
             bit_torque: held.iter().map(|held| scene.surface_speed * held).collect(),
+            cut: Vec::new(),
             surface_torque: Vec::new(),
             site_torques: vec![Vec::new(); followed],
             surface_speed: Vec::new(),
@@ -132,6 +136,7 @@ impl Trajectory {
             self.wall_torques[site].push(contact.torque);
         }
         self.bit_torque.extend(stepper.bit_torque());
+        self.cut.extend(now.cut);
         self.surface_torque
             .extend(now.surface.map(|surface| surface.torque));
         self.surface_speed

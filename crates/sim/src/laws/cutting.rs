@@ -217,6 +217,12 @@ impl Cutting {
         }
     }
 
+    /// Rate of penetration of steady drilling under a weight (N) at a speed (rad/s), m/s.
+    pub fn steady_rate(&self, weight: f64, speed: f64) -> f64 {
+        let advance = self.steady_depth_of_cut(weight) * self.blades() as f64;
+        advance / std::f64::consts::TAU * speed
+    }
+
     /// Torque and weight per depth of cut (N m/m, N/m), of all blades, as small motion about a
     /// steady depth of cut (m) feels them: with the flats while what they carry grows.
     pub fn steady_stiffnesses(&self, depth_of_cut: f64) -> [f64; 2] {

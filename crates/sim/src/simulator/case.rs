@@ -15,6 +15,7 @@ use crate::system::System;
 use crate::trajectory::Trajectory;
 use crate::watch::rules::Rules;
 use crate::watch::surface::SurfaceMeasures;
+use crate::watch::axial::AxialMeasures;
 use crate::watch::torsion::{TorsionMeasures, TorsionRegime};
 
 /// A case under way.
@@ -189,7 +190,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
         match label {
             Label::Torsion(TorsionRegime::StickSlip) => watch.repeat_last_cycle(),
             Label::Torsion(_) => watch.turn_on(&[self.scene.surface_speed]),
-            Label::Lateral(_) => {}
+            Label::Lateral(_) | Label::Axial(_) => {}
         }
     }
 
@@ -201,6 +202,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
             first_slip: (measures.first_slip).filter(|_| self.scene.start == Start::Rest),
             ..measures
         })
+    }
+
+    fn axial(&self) -> Option<AxialMeasures> {
+        let (watch, axial) = (self.watch.cut.as_ref()?, self.scene.axial.as_ref()?);
+        Some(watch.measures(|weight, speed| axial.cutting.steady_rate(weight, speed)))
     }
 
     pub(super) fn outcome(&self, end: End) -> Result<Outcome, SimulationError> {
@@ -218,6 +224,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
             measures: PerMotion::from_fn(|motion| match motion {
                 Motion::Torsion => self.torsion().map(Measures::Torsion),
                 Motion::Lateral => lateral.map(Measures::Lateral),
+                Motion::Axial => self.axial().map(Measures::Axial),
             }),
             surface: (self.watch.surface.as_ref()).map(|torques| {
                 let window = self.scene.timing.closing_window;

@@ -6,6 +6,7 @@ use crate::scene::Scene;
 use crate::stepper::Stepper;
 use crate::system::System;
 use crate::watch::along::StringTorqueWatch;
+use crate::watch::axial::CutWatch;
 use crate::watch::lateral::WallWatch;
 use crate::watch::rubbing::RubbingWatch;
 use crate::watch::rules::Rules;
@@ -18,6 +19,7 @@ pub(super) struct Watchers {
     /// The lowest port that a law acts on, where that is not the bit.
     rubs_at: Option<usize>,
     pub(super) walls: Option<(WallWatch, Settling)>,
+    pub(super) cut: Option<CutWatch>,
     pub(super) rubbing: Option<RubbingWatch>,
     /// What turned the surface in each step, N m.
     pub(super) surface: Option<Vec<f64>>,
@@ -53,6 +55,7 @@ impl Watchers {
             bit,
             rubs_at: lowest.filter(|_| !scene.turns_against_rock()),
             walls,
+            cut: (scene.axial.as_ref()).map(|_| CutWatch::new(rules, sampling, steps, window)),
             rubbing: (!scene.friction.is_empty() && scene.lateral.is_none()).then(|| {
                 let steady_from = system.torsion.steady_from(rules.settling_tolerance);
                 let window = (window * sampling.frequency).round() as usize;
@@ -78,6 +81,9 @@ impl Watchers {
         }
         if let Some((watch, _)) = &mut self.walls {
             watch.see(&now.contacts);
+        }
+        if let (Some(watch), Some(cut)) = (&mut self.cut, &now.cut) {
+            watch.see(cut);
         }
         if let (Some(watch), Some(surface)) = (&mut self.surface, now.surface) {
             watch.push(surface.torque);

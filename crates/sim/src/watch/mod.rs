@@ -2,6 +2,7 @@
 //! rest is settled.
 
 pub mod along;
+pub mod axial;
 pub mod lateral;
 pub(crate) mod rubbing;
 pub mod rules;

@@ -25,6 +25,8 @@ pub struct Rules {
     pub repeated: usize,
     /// The part of the closing window that a whirling site spends in contact.
     pub mostly: f64,
+    /// The part of the closing window that a bit which bounces is off bottom.
+    pub off_bottom: f64,
     /// A bit that turns for this part of what it remembers, in per cent, may turn for
     /// ever: a wave has come and gone several times.
     pub turning_for: usize,
@@ -47,6 +49,7 @@ impl Rules {
     pub const USUAL: Rules = Rules {
         repeated: 3,
         mostly: 0.5,
+        off_bottom: 1e-3,
         turning_for: 10,
         settling_tolerance: 1e-2,
         window: 0.25,
