@@ -31,6 +31,7 @@
 use linear::budget::{Budget, Need, OutOfBudget, REAL, What};
 use linear::{ChannelResponses, Responses, SteppedPlan};
 
+use crate::laws::cutting::{Face, MOST_PROFILES};
 use crate::line::pieces::Pieces;
 use crate::line::{Bending, Torsion};
 use crate::shortcuts::BitAlone;
@@ -44,6 +45,8 @@ pub struct SimulatorPlan {
     line: Line,
     /// Sites that bend by responses, and the taps of these.
     bending: Option<(usize, usize)>,
+    /// Taps of axial motion, where the bit cuts.
+    axial: Option<usize>,
     steps: f64,
 }
 
@@ -90,7 +93,10 @@ impl SimulatorPlan {
     pub fn of_responses(responses: &Responses) -> Self {
         let steps = steps(responses.longest_time, responses.sampling_frequency);
         let (loads, taps) = size_of(responses.torsion());
-        let plan = Self::by_responses(responses.sites.len(), loads, taps, steps);
+        let plan = Self {
+            axial: responses.axial().map(ChannelResponses::taps),
+            ..Self::by_responses(responses.sites.len(), loads, taps, steps)
+        };
         match responses.bending() {
             None => plan,
             bending => {
@@ -122,6 +128,7 @@ impl SimulatorPlan {
         Self {
             line,
             bending: None,
+            axial: None,
             steps,
         }
     }
@@ -131,6 +138,15 @@ impl SimulatorPlan {
     pub fn bending_by(self, sites: usize, taps: usize) -> Self {
         Self {
             bending: Some((sites, taps)),
+            ..self
+        }
+    }
+
+    /// The same, whose bit moves along its axis by responses of a number of taps.
+    #[must_use]
+    pub fn moving_along_by(self, taps: usize) -> Self {
+        Self {
+            axial: Some(taps),
             ..self
         }
     }
@@ -162,14 +178,19 @@ impl SimulatorPlan {
             }
             Line::Pieces { nodes, taps } => Pieces::bytes(nodes, taps, self.steps),
         };
+        let along = self
+            .axial
+            .map(|taps| Torsion::bytes_of_taps(1, taps) + SurfaceResponse::bytes(taps));
         let alone = self.alone().map(|taps| BitAlone::need(taps, self.steps));
-        Need::lasting(line + bending).then(alone.unwrap_or_default())
+        Need::lasting(line + bending + along.unwrap_or(0.0)).then(alone.unwrap_or_default())
     }
 
     /// Taps of the bit, where nothing acts but the torque on it.
     fn alone(&self) -> Option<usize> {
         match self.line {
-            Line::Taps { loads: 1, taps, .. } if self.bending.is_none() => Some(taps),
+            Line::Taps { loads: 1, taps, .. } if self.bending.is_none() && self.axial.is_none() => {
+                Some(taps)
+            }
             _ => None,
         }
     }
@@ -192,8 +213,14 @@ impl SimulatorPlan {
         let bending = self
             .bending
             .map(|(sites, taps)| Bending::past_bytes(sites, taps, steps));
+        let along = self
+            .axial
+            .map(|taps| Torsion::past_bytes(1, taps, steps) + Face::bytes(MOST_PROFILES, steps));
         let alone = self.alone().map(BitAlone::case_bytes);
-        line + bending.unwrap_or(0.0) + alone.unwrap_or(0.0) + BitWatch::bytes(steps)
+        line + along.unwrap_or(0.0)
+            + bending.unwrap_or(0.0)
+            + alone.unwrap_or(0.0)
+            + BitWatch::bytes(steps)
     }
 
     /// Bytes of the motion of a case at a number of sites.

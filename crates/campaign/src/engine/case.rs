@@ -1,6 +1,7 @@
 //! One case: its values and its scene.
 
-use sim::{BitTorque, Lateral, PipeFriction, Scene, Start, Timing, torsion_timing};
+use linear::SteadyMotion;
+use sim::{Axial, BitTorque, Lateral, PipeFriction, Scene, Start, Timing, torsion_timing};
 
 use super::case_error::CaseError;
 use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Starts, Sweep};
@@ -52,6 +53,7 @@ impl Case {
         let surface_speed = surface_speed.ok_or(CaseError::Missing("surface speed"))?;
         let (torque_dynamic_nm, bit) = match &sweep.bit {
             None => (None, None),
+            Some(bit) if setting.cutting.is_some() => (bit.torque_dynamic(conditions)?, None),
             Some(bit) => {
                 let torque = bit.torque_dynamic(conditions)?;
                 let torque = torque.ok_or(CaseError::Missing("torque"))?;
@@ -60,7 +62,14 @@ impl Case {
         };
         let friction = friction_along(setting, conditions)?;
         let all = together(bit, &friction);
-        let start = sweep.starts.first(setting, surface_speed, bit.as_ref());
+        let drilled = drilled(sweep, setting, conditions, surface_speed)?;
+        let (start, axial) = match drilled {
+            Some((start, axial)) => (start, Some(axial)),
+            None => (
+                sweep.starts.first(setting, surface_speed, bit.as_ref()),
+                None,
+            ),
+        };
         let mut timing = all.map_or(BY_DEFAULT, |all| {
             torsion_timing(&setting.string, surface_speed, &all, &start)
         });
@@ -69,8 +78,12 @@ impl Case {
             timing.duration = timing.duration.max(BY_DEFAULT.duration);
             timing.closing_window = timing.closing_window.max(BY_DEFAULT.closing_window);
         }
+        if axial.is_some() {
+            timing = DRILLED;
+        }
         if start == Start::Rest {
-            timing.duration += setting.profile.rise();
+            let fed = setting.cutting.as_ref().map_or(0.0, |it| it.profile.rise());
+            timing.duration += setting.profile.rise().max(fed);
         }
         if let AutoOr::Given(duration) = sweep.time {
             timing.duration = duration;
@@ -87,7 +100,7 @@ impl Case {
                 start,
                 bit,
                 friction,
-                axial: None,
+                axial,
                 lateral: (setting.lateral.as_ref())
                     .map(|settings| lateral_scene(settings, conditions))
                     .transpose()?,
@@ -111,6 +124,9 @@ impl Case {
 
     /// The motion that it begins with at the sites of a setting.
     pub fn start_of(&self, setting: &Setting) -> Start {
+        if self.scene.axial.is_some() {
+            return at_sites(&self.scene.start, setting.sites.len());
+        }
         let (speed, bit) = (self.scene.surface_speed, self.scene.bit.as_ref());
         let first = || self.starts.first(setting, speed, bit);
         let second = self
@@ -125,6 +141,17 @@ impl Case {
             is_begun_otherwise: true,
             ..self.clone()
         })
+    }
+}
+
+/// A start at another number of sites, which all turn alike.
+fn at_sites(start: &Start, sites: usize) -> Start {
+    match start {
+        Start::Steady(motion) => Start::Steady(SteadyMotion {
+            speeds: vec![motion.speeds.first().copied().unwrap_or_default(); sites],
+            ..motion.clone()
+        }),
+        other => other.clone(),
     }
 }
 
@@ -158,6 +185,40 @@ fn together(bit: Option<BitTorque>, friction: &[Option<PipeFriction>]) -> Option
         decay_speed: 0.0,
     })
 }
+
+/// How a case with a bit that cuts begins, and its axial part; `None` where the bit does not cut.
+fn drilled(
+    sweep: &Sweep,
+    setting: &Setting,
+    conditions: &Conditions,
+    surface_speed: f64,
+) -> Result<Option<(Start, Axial)>, CaseError> {
+    let (Some(settings), Some(bit)) = (&setting.cutting, &sweep.bit) else {
+        return Ok(None);
+    };
+    let law = bit.cutting_law(conditions)?;
+    let cutting = settings.bit_in(law.ok_or(CaseError::Missing("law of its rock"))?);
+    let feed = settings.feed(conditions);
+    let feed = feed.ok_or(CaseError::Missing("weight on bit or feed"))?;
+    let steady = settings.steady(&setting.string, &cutting, surface_speed, feed);
+    let (start, start_rate, kick) = settings.start(setting, &sweep.starts, (surface_speed, steady));
+    Ok(Some((
+        start,
+        Axial {
+            cutting,
+            feed,
+            start_rate,
+            kick,
+        },
+    )))
+}
+
+/// What cuts is followed for a minute: slow growth shows, and means over a third of that are those of
+/// motion that is often chaotic.
+const DRILLED: Timing = Timing {
+    duration: 60.0,
+    closing_window: 20.0,
+};
 
 /// A bit without torque has no regime to wait for, and lateral motion none whose
 /// time could be predicted: ten seconds as in the paper, the last two of which

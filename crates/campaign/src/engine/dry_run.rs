@@ -42,7 +42,10 @@ pub(super) fn ask_for_responses(
         Some(friction) => rubbing::ask(plan, friction, bends, budget)?,
         None => {
             let simulator = SimulatorPlan::by_responses(sites, loads, taps, plan.steps());
-            let simulator = bends(simulator);
+            let mut simulator = bends(simulator);
+            if plan.setting.cutting.is_some() {
+                simulator = simulator.moving_along_by(responses.axial_taps());
+            }
             simulator.ask(budget)?;
             Stepping {
                 simulator,
@@ -53,6 +56,9 @@ pub(super) fn ask_for_responses(
         }
     };
     MarginPlan::in_torsion(loads, taps).ask(budget)?;
+    if plan.setting.cutting.is_some() {
+        MarginPlan::in_torsion(1, responses.axial_taps()).ask(budget)?;
+    }
     if plan.setting.lateral.is_some() {
         MarginPlan::in_bending(sites, bending_taps).ask(budget)?;
     }

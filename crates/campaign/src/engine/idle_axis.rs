@@ -25,6 +25,9 @@ pub fn unused_reason(sweep: &Sweep, axis: Axis) -> Option<&'static str> {
         Axis::TorqueStaticRatio | Axis::TorqueDecay if sweep.bit.is_none() => {
             Some("the bit is free in this sweep")
         }
+        Axis::FeedMH if sweep.conditions.feed_m_h.is_none() => {
+            Some("nothing is let down at a set speed in this sweep")
+        }
         Axis::Rock(_) if sweep.conditions.value(axis).is_none() => {
             Some("the rock of this sweep has no such constant")
         }

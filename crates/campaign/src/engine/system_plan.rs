@@ -54,10 +54,20 @@ impl SystemPlan<'_> {
             bending: lateral.bending,
             support: lateral.support,
         });
+        let along = setting
+            .cutting
+            .as_ref()
+            .map(|cutting| ChannelRequest::Axial {
+                rod: cutting.rod.clone(),
+                forces: vec![sites - 1],
+            });
         let in_torsion = ChannelRequest::Torsion { torques };
         Request {
             sites: setting.sites.clone(),
-            channels: std::iter::once(in_torsion).chain(in_bending).collect(),
+            channels: std::iter::once(in_torsion)
+                .chain(in_bending)
+                .chain(along)
+                .collect(),
             sampling_frequency: setting.sampling_frequency,
             longest_time: self.longest_time,
         }

@@ -39,6 +39,8 @@ pub struct MethodSystem {
     pub torsion_margin: Option<f64>,
     /// Positive-real margin in bending; `None` where that is not modelled.
     pub bending_margin: Option<f64>,
+    /// Positive-real margin of axial motion; `None` where that is not modelled.
+    pub axial_margin: Option<f64>,
     /// Its fronts, where they have been compared with the exact ones.
     pub front: Option<Front>,
     /// Time to build, s.
@@ -70,6 +72,7 @@ impl MethodSystem {
         let margins = [
             (self.torsion_margin, "torsion"),
             (self.bending_margin, "bending"),
+            (self.axial_margin, "axial motion"),
         ];
         let (margin, motion) = (margins.into_iter())
             .find_map(|(margin, motion)| Some((margin.filter(|m| is_unstable(*m))?, motion)))?;

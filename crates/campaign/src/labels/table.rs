@@ -10,7 +10,7 @@ use crate::records::{
 use crate::sweep_file::StartName;
 
 /// Groups before the columns of what cases are held against, and those after.
-const BEFORE_MISFITS: [Group; 3] = [Group::Always, Group::Surface, Group::String];
+const BEFORE_MISFITS: [Group; 4] = [Group::Always, Group::Cutting, Group::Surface, Group::String];
 const AFTER_MISFITS: [Group; 3] = [Group::Certificate, Group::Starts, Group::Found];
 
 /// What the rows of a `labels.csv` have in common.
@@ -21,6 +21,8 @@ pub struct LabelTable<'a> {
     pub axes: &'a [Axis],
     /// Whether T_d has a column: it has where it follows from an axis and is not an axis itself.
     pub shows_torque: bool,
+    /// Whether the bit cuts what its blades leave.
+    pub shows_cutting: bool,
     /// Whether what turns the surface is followed.
     pub shows_surface: bool,
     /// Whether the torque along the string is followed.
@@ -42,6 +44,7 @@ impl<'a> LabelTable<'a> {
             methods: sweep.methods.iter().map(|method| method.name()).collect(),
             axes: sweep.design.axes(),
             shows_torque: shows_torque(sweep),
+            shows_cutting: sweep.setting.cutting.is_some(),
             shows_surface: shows_surface(sweep),
             shows_string_torque: shows_string_torque(sweep),
             misfits: (sweep.data.comparisons.iter())
@@ -57,6 +60,7 @@ impl<'a> LabelTable<'a> {
     fn shows(&self, group: Group) -> bool {
         match group {
             Group::Always => true,
+            Group::Cutting => self.shows_cutting,
             Group::Surface => self.shows_surface,
             Group::String => self.shows_string_torque,
             Group::Certificate => self.certifying.is_some(),
@@ -66,7 +70,10 @@ impl<'a> LabelTable<'a> {
     }
 
     /// Its columns of some groups.
-    fn of_groups(&self, groups: [Group; 3]) -> impl Iterator<Item = &'static ResultColumn> {
+    fn of_groups<const N: usize>(
+        &self,
+        groups: [Group; N],
+    ) -> impl Iterator<Item = &'static ResultColumn> {
         let shown = groups.map(|group| Some(group).filter(|group| self.shows(*group)));
         COLUMNS
             .iter()

@@ -50,6 +50,18 @@ fn in_kilonewtons(error: &RockError) -> String {
 }
 
 impl Bit {
+    /// The law of the rock under the given conditions, where it has one.
+    ///
+    /// # Errors
+    /// Where its constants do not go together.
+    pub fn cutting_law(&self, conditions: &Conditions) -> Result<Option<CuttingLaw>, TorqueError> {
+        match (conditions.law, &self.rock) {
+            (Some(table), _) => consistent(&table).map(Some),
+            (None, Some(Rock::Law(law))) => Ok(Some(*law)),
+            _ => Ok(None),
+        }
+    }
+
     /// T_d (N m) under the given conditions, where they say enough.
     ///
     /// # Errors
@@ -87,6 +99,16 @@ impl Cut<'_> {
             return 0.0;
         }
         let cases = (0..self.design.cases()).filter_map(|case| self.fall_of(case));
+        cases.fold(0.0, f64::max)
+    }
+
+    /// The greatest surface speed of any case, rad/s.
+    pub fn fastest_surface(&self) -> f64 {
+        let cases = (0..self.design.cases()).filter_map(|case| {
+            let values = self.design.values(case);
+            let conditions = self.conditions.along(self.design.axes(), &values);
+            conditions.surface_speed()
+        });
         cases.fold(0.0, f64::max)
     }
 

@@ -25,6 +25,14 @@ pub fn resolve(
          known: leave it out",
     )?;
     refuse(
+        content
+            .bit
+            .as_ref()
+            .is_some_and(|bit| bit.cutting.is_some()),
+        "a label is certain far from its limit, and with [bit.cutting] motion is often chaotic: \
+         leave it out",
+    )?;
+    refuse(
         content.surface_speed_file.is_some(),
         "a label is certain far from its limit, and none is known for a surface speed that \
          changes: leave it out",

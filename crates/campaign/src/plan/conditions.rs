@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::cutting;
 use crate::design::Design;
 use crate::quantities::{Axis, RPM, WallQuantity};
 use crate::sweep_file::{FileContent, LawTable, Source, SweepFileError};
@@ -15,6 +16,8 @@ pub struct Conditions {
     pub weight_on_bit_kn: Option<f64>,
     /// Dynamic torque, N m.
     pub torque_dynamic_nm: Option<f64>,
+    /// Speed at which the surface lets the string down, m/h.
+    pub feed_m_h: Option<f64>,
     /// Lateral impulse in multiples of I₀, by an axis.
     pub impulse_ratio: Option<f64>,
     /// The wall at every site, by axes.
@@ -52,6 +55,7 @@ impl Conditions {
                 changed.torque_dynamic_nm = Some(value);
                 changed.weight_on_bit_kn = None;
             }
+            Axis::FeedMH => changed.feed_m_h = Some(value),
             Axis::ImpulseRatio => changed.impulse_ratio = Some(value),
             Axis::Wall(quantity) => {
                 changed.wall.insert(quantity, value);
@@ -88,6 +92,7 @@ impl Conditions {
             Axis::SurfaceSpeedRpm => self.surface_speed_rpm,
             Axis::WeightOnBitKn => self.weight_on_bit_kn,
             Axis::TorqueDynamicNm => self.torque_dynamic_nm,
+            Axis::FeedMH => self.feed_m_h,
             Axis::ImpulseRatio => self.impulse_ratio,
             Axis::Wall(quantity) => self.wall.get(&quantity).copied(),
             Axis::WallAtSite { site, quantity } => self.wall_at.get(&(site, quantity)).copied(),
@@ -137,6 +142,7 @@ pub fn resolve(
         string_friction_stribeck_rpm: friction.map(|friction| friction.stribeck_rpm),
         weight_on_bit_kn: bit.and_then(|bit| bit.weight_on_bit_kn),
         torque_dynamic_nm: bit.and_then(|bit| bit.torque_dynamic_nm),
+        feed_m_h: content.feed.and_then(|feed| feed.feed_m_h),
         torque_static_ratio: bit.map(|bit| bit.torque_static_ratio),
         torque_decay_rpm: bit.map(|bit| bit.torque_decay_rpm),
         law: bit.and_then(|bit| bit.law),
@@ -146,6 +152,7 @@ pub fn resolve(
         ("surface_speed_rpm", Axis::SurfaceSpeedRpm),
         ("bit.weight_on_bit_kn", Axis::WeightOnBitKn),
         ("bit.torque_dynamic_nm", Axis::TorqueDynamicNm),
+        ("feed.feed_m_h", Axis::FeedMH),
         ("string_friction.static_coefficient", Axis::StringFriction),
         ("string_friction.dynamic_ratio", Axis::StringFrictionRatio),
         ("string_friction.stribeck_rpm", Axis::StringFrictionSpeed),
@@ -220,6 +227,9 @@ pub fn are_complete(
             Err(source.error("design", message))
         });
     };
+    if bit.cutting.is_some() {
+        return cutting::is_complete(source, content, conditions, design);
+    }
     let has_weight = has(Axis::WeightOnBitKn);
     let message = "a weight on bit needs a rock to give a torque: \
                    `sandstone`, `shale`, `law` or `table`";

@@ -92,6 +92,10 @@ fn is_measured(
     let (is_there, what) = match needs {
         Needs::Bit => (content.bit.is_some(), "a torque at the bit: `[bit]`"),
         Needs::Wall => (setting.lateral.is_some(), "a wall: `[wall]`"),
+        Needs::Cutting => (
+            setting.cutting.is_some(),
+            "a bit that cuts: `[bit.cutting]`",
+        ),
         Needs::SurfaceTorque => (
             content.surface_torque || friction.is_some(),
             "the torque at the surface: `surface_torque = true`",

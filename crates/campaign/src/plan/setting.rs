@@ -11,6 +11,7 @@ use super::axial_force::Hanging;
 use super::bit::{Bit, Cut};
 use super::conditions::Conditions;
 use super::contacts::StringInHole;
+use super::cutting::{self, CuttingSettings};
 use super::data::Data;
 use super::lateral::{self, LateralSettings};
 use super::string_friction::{self, StringFriction};
@@ -69,6 +70,8 @@ pub struct Setting {
     pub hanging: Option<Hanging>,
     /// Lateral motion, where it is modelled.
     pub lateral: Option<LateralSettings>,
+    /// Axial motion above a bit that cuts, where it is modelled.
+    pub cutting: Option<CuttingSettings>,
     /// What axes or a command line change of the string in the file.
     pub changed: Vec<(Axis, f64)>,
 }
@@ -166,10 +169,12 @@ impl Setting {
             &string,
             &sites,
         )?;
+        let cutting = cutting::resolve(source, content, &string)?;
         let needs = sampling::Needs {
             cut: circumstances.cut(),
             lateral: lateral.as_ref(),
             friction: friction.as_ref(),
+            blades: cutting.as_ref().map(|cutting| cutting.blades()),
         };
         let (sampling_frequency, steps_per_travel) =
             sampling::resolve(source, content, &string, &needs, counted)?;
@@ -183,6 +188,7 @@ impl Setting {
             friction,
             hanging,
             lateral,
+            cutting,
             changed: Vec::new(),
         };
         // For an accuracy another frequency is chosen.
@@ -209,6 +215,7 @@ impl Setting {
             cut: circumstances.cut(),
             lateral: self.lateral.as_ref(),
             friction: self.friction.as_ref(),
+            blades: self.cutting.as_ref().map(|cutting| cutting.blades()),
         };
         sampling::by_rule(&self.string, &needs)
     }

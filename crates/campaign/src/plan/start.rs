@@ -32,7 +32,12 @@ pub struct Starts {
 /// # Errors
 /// Where it does not suit the rest of the file.
 pub fn resolve(source: &Source, content: &FileContent) -> Result<Starts, SweepFileError> {
+    let cuts = content
+        .bit
+        .as_ref()
+        .is_some_and(|bit| bit.cutting.is_some());
     let name = match (content.start, rest_only(content)) {
+        (None, None) if cuts => StartName::Ramp,
         (None, None) if !source.gives("surface_speed_rise_s") => StartName::Stuck,
         (None, _) => StartName::Ramp,
         (Some(name), why) => {
@@ -84,6 +89,13 @@ fn check(
     if let Some(message) = rest_only {
         return Err(source.error("start", message));
     }
+    let cuts = content
+        .bit
+        .as_ref()
+        .is_some_and(|bit| bit.cutting.is_some());
+    let message = "with [bit.cutting] a case begins at rest, `\"ramp\"`, or drilling steadily, \
+                   `\"smooth\"`";
+    source.refuse_if(cuts && name != StartName::Smooth, "start", message)?;
     let message = format!(
         "a case that begins {} does not wait for the surface: leave it out, or write \
          `start = \"ramp\"`",
@@ -131,6 +143,14 @@ impl Starts {
         let name = match self.name {
             _ if rest_only(content).is_some() => return None,
             StartName::Both => return None,
+            // What cuts begins at rest or steadily.
+            _ if content
+                .bit
+                .as_ref()
+                .is_some_and(|bit| bit.cutting.is_some()) =>
+            {
+                return None;
+            }
             StartName::Stuck => StartName::Smooth,
             StartName::Smooth | StartName::Ramp => StartName::Stuck,
         };

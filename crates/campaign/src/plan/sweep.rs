@@ -147,6 +147,9 @@ impl Sweep {
         }
         string::check_axes(&source, &content, &design)?;
         if let Some(accuracy) = content.accuracy {
+            let message = "nothing is known of the error of a bit with [bit.cutting]: give `methods` \
+                           and `sampling_frequency_hz` instead";
+            source.refuse_if(setting.cutting.is_some(), "accuracy", message)?;
             choice::check(&source, accuracy)?;
         }
         if methods.is_empty() {

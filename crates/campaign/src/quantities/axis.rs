@@ -14,6 +14,8 @@ pub enum Axis {
     WeightOnBitKn,
     /// Dynamic torque T_d, N m.
     TorqueDynamicNm,
+    /// Speed at which the surface lets the string down, m/h.
+    FeedMH,
     /// Lateral impulse in multiples of I₀.
     ImpulseRatio,
     /// A quantity of the borehole wall, at every site.

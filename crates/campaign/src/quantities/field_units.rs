@@ -82,13 +82,14 @@ pub const TORQUE: Twin = twin(["_nm", "_lbf_ft"], ["N m", "lbf ft"], &[POUND_FOR
 
 /// All of them. Where several fit a name that is read, the known names decide; what has a name
 /// is shown in the first that fits it by the longest ending.
-pub const TWINS: [Twin; 21] = [
+pub const TWINS: [Twin; 22] = [
     twin(["_radius_m", "_diameter_in"], ["m", "in"], &[0.5 * INCH]),
     twin(["_radius_m", "_diameter_mm"], ["m", "mm"], &[0.5e-3]),
     LENGTH,
     twin(["_m", "_in"], ["m", "in"], &[INCH]),
     WIDTH,
     twin(["_m_s", "_ft_s"], ["m/s", "ft/s"], &[FOOT]),
+    twin(["_m_h", "_ft_h"], ["m/h", "ft/h"], &[FOOT]),
     twin(["_kg", "_lb"], ["kg", "lb"], &[POUND]),
     twin(["_kg_m3", "_ppg"], ["kg/m³", "ppg"], &[POUND / GALLON]),
     INERTIA,

@@ -57,10 +57,11 @@ const fn at_site(quantity: WallQuantity) -> Axis {
 
 /// One axis of every kind: operating conditions in the order of their columns, then
 /// quantities of the string.
-const KINDS: [Axis; 44] = [
+const KINDS: [Axis; 45] = [
     Axis::SurfaceSpeedRpm,
     Axis::WeightOnBitKn,
     Axis::TorqueDynamicNm,
+    Axis::FeedMH,
     Axis::ImpulseRatio,
     Axis::Wall(WallQuantity::Clearance),
     Axis::Wall(WallQuantity::Stiffness),
@@ -111,6 +112,7 @@ impl Axis {
             Axis::SurfaceSpeedRpm => row("surface_speed_rpm", ("Surface speed Ω", "Ω"), (1e-4, 1e4, "rpm")),
             Axis::WeightOnBitKn => row("weight_on_bit_kn", ("Weight on bit W", "W"), (0.0, 2e3, "kN")),
             Axis::TorqueDynamicNm => row("torque_dynamic_nm", ("Dynamic torque T_d", "T_d"), (0.0, 1e7, "N m")),
+            Axis::FeedMH => row("feed_m_h", ("Feed at the surface", ""), (1e-3, 1e4, "m/h")),
             Axis::ImpulseRatio => row("impulse_ratio", ("Impulse I / I₀", "I/I₀"), (0.0, 1e6, "")),
             Axis::Wall(quantity) => match quantity {
                 WallQuantity::Clearance => row("clearance_mm", ("Clearance c", "c"), (1e-3, 1e3, "mm")),

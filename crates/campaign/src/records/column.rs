@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use sim::{
-    Label, LateralMeasures, Motion, Outcome, StringTorque, SurfaceMeasures, TorsionMeasures,
+    AxialMeasures, Label, LateralMeasures, Motion, Outcome, StringTorque, SurfaceMeasures,
+    TorsionMeasures,
 };
 
 use super::field::{Field, Kind};
@@ -16,6 +17,8 @@ use crate::quantities::{RPM, Unit, Units};
 pub enum Group {
     /// In every table.
     Always,
+    /// Of a bit that cuts what its blades leave.
+    Cutting,
     /// Torque at the surface, where that is followed.
     Surface,
     /// The greatest torque along the string, where that is followed.
@@ -41,6 +44,8 @@ pub enum Needs {
     SurfaceTorque,
     /// The torque along the string.
     StringTorque,
+    /// A bit that cuts what its blades leave.
+    Cutting,
 }
 
 /// A column of results.
@@ -158,6 +163,7 @@ impl ResultColumn {
             (Group::String, _) => Some(Needs::StringTorque),
             (_, Some(Motion::Torsion)) => Some(Needs::Bit),
             (_, Some(Motion::Lateral)) => Some(Needs::Wall),
+            (_, Some(Motion::Axial)) => Some(Needs::Cutting),
             (_, None) => None,
         }
     }
@@ -184,6 +190,10 @@ impl<'a> RecordRow<'a> {
 
     pub(super) fn lateral(&self) -> Option<LateralMeasures> {
         self.outcome.and_then(Outcome::lateral)
+    }
+
+    pub(super) fn axial(&self) -> Option<AxialMeasures> {
+        self.outcome.and_then(Outcome::axial)
     }
 
     pub(super) fn surface(&self) -> Option<SurfaceMeasures> {
@@ -213,6 +223,11 @@ impl<'a> RecordRow<'a> {
 /// A metre in mm.
 pub fn to_mm(length: f64) -> f64 {
     1e3 * length
+}
+
+/// A metre per second in metres per hour.
+pub fn to_m_h(speed: f64) -> f64 {
+    3600.0 * speed
 }
 
 /// A newton in kN.

@@ -4,7 +4,7 @@
 use sim::{Label, Motion};
 
 use super::column::{
-    Group, ResultColumn, count, flag, number, text, to_kn, to_mm, to_rpm, to_turns,
+    Group, ResultColumn, count, flag, number, text, to_kn, to_m_h, to_mm, to_rpm, to_turns,
 };
 use super::field::Field;
 use super::verdict::MotionVerdict;
@@ -150,6 +150,81 @@ pub static COLUMNS: &[ResultColumn] = &[
     text("status", "Status", |row| {
         row.outcome.map_or(FAILED, |_| DONE).into()
     }),
+    text("axial", "Axial motion", |row| row.label(Motion::Axial))
+        .of(Motion::Axial)
+        .group(Group::Cutting),
+    number(
+        "rate_of_penetration_m_h",
+        "m/h",
+        "Mean rate of penetration in the closing window",
+        |row| row.axial().map(|it| to_m_h(it.rate_of_penetration)).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure(),
+    number(
+        "rate_of_penetration_ratio",
+        "",
+        "Rate of penetration by that of steady drilling",
+        |row| row.axial().and_then(|it| it.part_of_steady).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure(),
+    number(
+        "off_bottom_fraction",
+        "",
+        "Share of the closing window off bottom",
+        |row| row.axial().map(|it| it.off_bottom).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure(),
+    number(
+        "axial_rest_fraction",
+        "",
+        "Share of the closing window in which the bit turns and does not go down",
+        |row| row.axial().map(|it| it.at_rest).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure(),
+    number(
+        "turns_back_fraction",
+        "",
+        "Share of the closing window in which the bit turns back",
+        |row| row.axial().map(|it| it.turns_back).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure(),
+    number(
+        "weight_mean_kn",
+        "kN",
+        "Mean weight on bit in the closing window",
+        |row| row.axial().map(|it| to_kn(it.mean_weight)).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure(),
+    number(
+        "weight_peak_kn",
+        "kN",
+        "Greatest weight on bit in the closing window",
+        |row| row.axial().map(|it| to_kn(it.peak_weight)).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure(),
+    number(
+        "depth_of_cut_peak_mm",
+        "mm",
+        "Greatest depth of cut of a blade in the closing window",
+        |row| row.axial().map(|it| to_mm(it.peak_depth_of_cut)).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure(),
     number(
         "surface_torque_peak_nm",
         "N m",

@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 use sim::watch::rules::Rules;
 use sim::{
-    Label, Labels, LateralMeasures, LateralRegime, Measures, Outcome, PerMotion, TorsionRegime,
+    AxialRegime, Label, Labels, LateralMeasures, LateralRegime, Measures, Outcome, PerMotion,
+    TorsionRegime,
 };
 
 /// Labels are certified by simulations at the sampling frequency of the sweep and at this
@@ -33,6 +34,11 @@ pub enum MotionVerdict {
         contact_fraction: f64,
         /// Rate at which the centre goes round in the closing window, rad/s.
         precession_rate: f64,
+    },
+    /// How the bit moved along its axis.
+    Axial {
+        /// The label.
+        regime: AxialRegime,
     },
 }
 
@@ -82,6 +88,9 @@ impl MotionVerdict {
                 contact_fraction,
                 precession_rate,
             },
+            Measures::Axial(axial) => Self::Axial {
+                regime: axial.regime,
+            },
         }
     }
 
@@ -90,6 +99,7 @@ impl MotionVerdict {
         match *self {
             Self::Torsion { regime, .. } => regime.into(),
             Self::Lateral { regime, .. } => regime.into(),
+            Self::Axial { regime } => regime.into(),
         }
     }
 
@@ -101,6 +111,8 @@ impl MotionVerdict {
     /// where it lasts for most of the closing window, and whirl goes round one way.
     fn distances(&self) -> Option<Vec<f64>> {
         match *self {
+            // No limit is known that it could be far from.
+            Self::Axial { .. } => None,
             Self::Torsion {
                 regime,
                 above_limit,

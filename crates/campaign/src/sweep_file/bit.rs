@@ -32,6 +32,65 @@ pub struct BitTable {
     #[schemars(!skip_serializing_if, range(min = 0.0, max = 1e4))]
     #[serde(default, skip_serializing_if = "is_zero")]
     pub torque_decay_rpm: f64,
+    /// The blades, where each cuts what the one before has left: the string then moves along its
+    /// axis, too, and torque, weight on bit and rate of penetration are what comes out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cutting: Option<CuttingTable>,
+}
+
+/// The blades of a bit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CuttingTable {
+    /// Number of blades, evenly spaced.
+    #[schemars(range(min = 1, max = 20))]
+    #[serde(default = "default_blades")]
+    pub blades: usize,
+    /// Instead: the angle from each blade to the next, 360° together.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blade_angles_deg: Option<Vec<f64>>,
+    /// Angle of relief behind the cutters: the bit advances no more per angle than that lets it.
+    #[schemars(range(min = 0.5, max = 60.0))]
+    #[serde(default = "default_relief")]
+    pub relief_deg: f64,
+    /// How the wear flats come to carry weight.
+    #[serde(default)]
+    pub contact: ContactName,
+    /// With `start = "smooth"`: a torque on the bit for `kick_s`, instead of `start_disturbance`.
+    #[schemars(range(min = -1e7, max = 1e7))]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kick_nm: Option<f64>,
+    /// The same as a force on the bit, down.
+    #[schemars(range(min = -2000.0, max = 2000.0))]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kick_kn: Option<f64>,
+    /// How long it lasts.
+    #[schemars(range(min = 0.001, max = 1000.0))]
+    #[serde(default = "default_kick")]
+    pub kick_s: f64,
+}
+
+/// How the wear flats come to carry weight.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ContactName {
+    /// As the depth of cut grows, by the contact growth of the rock.
+    #[default]
+    Grows,
+    /// All that they can, as soon as the bit goes down.
+    AtOnce,
+}
+
+fn default_blades() -> usize {
+    6
+}
+
+fn default_relief() -> f64 {
+    15.0
+}
+
+fn default_kick() -> f64 {
+    1.0
 }
 
 fn default_static_ratio() -> f64 {

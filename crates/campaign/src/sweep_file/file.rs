@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::bit::BitTable;
 use super::compare::CompareTable;
 use super::design::{AxisRange, DesignTable, PointsName, Spacing};
+use super::feed::FeedTable;
 use super::lateral::{
     ClearanceName, EccentricMassTable, ImpulseTable, SiteTable, SitesName, WallTable,
 };
@@ -91,6 +92,9 @@ pub struct FileContent {
     pub string_friction: Option<StringFrictionTable>,
     /// Torque at the bit; without it the bit is free.
     pub bit: Option<BitTable>,
+    /// What lets the string down above a bit with `[bit.cutting]`; left out, a hook load.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub feed: Option<FeedTable>,
     /// With a wall, where the string may touch it, together with the candidates of `[wall]`;
     /// without, what `simulate` draws in addition to the bit.
     #[serde(default)]

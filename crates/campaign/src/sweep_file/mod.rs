@@ -20,6 +20,7 @@ mod change;
 pub mod compare;
 pub mod design;
 mod error;
+pub mod feed;
 pub mod file;
 mod in_file_units;
 pub mod lateral;
@@ -41,13 +42,14 @@ pub mod well;
 pub mod wording;
 
 pub use bha_sheet::{SheetNotes, ToolKind, put_sections};
-pub use bit::{BitTable, LawTable, RockName};
+pub use bit::{BitTable, ContactName, CuttingTable, LawTable, RockName};
 pub use change::NoPlace;
 pub use compare::{CompareTable, Extreme, TraceName};
 pub use design::{
     AxisRange, DesignKind, DesignTable, DistributionName, PointsName, Spacing, TRACE_TOLERANCE,
 };
 pub use error::SweepFileError;
+pub use feed::{FeedName, FeedTable};
 pub use file::FileContent;
 pub use lateral::{
     BendingTable, EccentricMassTable, ImpulseTable, SiteTable, SitesName, SupportName,

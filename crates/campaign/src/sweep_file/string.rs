@@ -31,6 +31,9 @@ pub struct StringTable {
     pub loss_factor: f64,
     /// Constants of bending; needed with a wall.
     pub bending: Option<BendingTable>,
+    /// Constants of axial motion, of a bit with `[bit.cutting]`; left out, by their defaults.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axial: Option<AxialTable>,
     /// Instead of `sections`: a BHA sheet, a CSV file or a workbook in the folder of the file that
     /// names it.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -41,6 +44,21 @@ pub struct StringTable {
     pub order: Option<RowOrder>,
     /// Sections from the surface down, unless a sheet has them.
     pub sections: Vec<SectionTable>,
+}
+
+/// Constants of axial motion.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AxialTable {
+    /// Young's modulus E. Left out, that of `[string.bending]` or, without one, 210.
+    #[schemars(range(min = 0.1, max = 1000.0))]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub youngs_modulus_gpa: Option<f64>,
+    /// Axial damping c_a. Left out, the one by which axial vibration dies away as fast as
+    /// `torsional_damping_nms_rad_m` lets torsion.
+    #[schemars(range(min = 0.0, max = 1e7))]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub damping_ns_m2: Option<f64>,
 }
 
 /// In which order the rows of a sheet are.

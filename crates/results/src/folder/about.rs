@@ -20,6 +20,9 @@ pub struct About {
     pub manifest: Manifest,
     /// Whether `labels.csv` has a column of T_d next to the axes.
     pub shows_torque: bool,
+    /// Whether it has columns of a bit that cuts.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shows_cutting: bool,
     /// Whether it has columns of what turns the surface.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub shows_surface: bool,
@@ -66,6 +69,7 @@ impl About {
         Ok(Self {
             manifest,
             shows_torque: shows_torque(sweep),
+            shows_cutting: sweep.setting.cutting.is_some(),
             shows_surface: shows_surface(sweep),
             shows_string_torque: shows_string_torque(sweep),
             misfits: LabelTable::of(sweep)
@@ -87,6 +91,7 @@ impl About {
             methods: self.manifest.method_names(),
             axes: &self.manifest.axes,
             shows_torque: self.shows_torque,
+            shows_cutting: self.shows_cutting,
             shows_surface: self.shows_surface,
             shows_string_torque: self.shows_string_torque,
             misfits: self.misfits.iter().map(String::as_str).collect(),

@@ -13,9 +13,9 @@ use crate::start::Start;
 use crate::stepper::Stepper;
 use crate::system::System;
 use crate::trajectory::Trajectory;
+use crate::watch::axial::AxialMeasures;
 use crate::watch::rules::Rules;
 use crate::watch::surface::SurfaceMeasures;
-use crate::watch::axial::AxialMeasures;
 use crate::watch::torsion::{TorsionMeasures, TorsionRegime};
 
 /// A case under way.

@@ -147,7 +147,7 @@ pub fn undetermined(contents: &[Content], motion: Motion) -> Option<String> {
     let cases: usize = contents.iter().map(|content| content.cases).sum();
     let why = match motion {
         Motion::Torsion => "no answer, or stuck to the end",
-        Motion::Lateral => "no answer",
+        Motion::Lateral | Motion::Axial => "no answer",
     };
     (undetermined > 0).then(|| {
         format!(

@@ -41,7 +41,7 @@ pub fn value_of(axis: Axis, units: Units) -> String {
 /// string does not whirl in any.
 pub fn every_without(motion: Motion) -> &'static str {
     match motion {
-        Motion::Torsion => "every",
+        Motion::Torsion | Motion::Axial => "every",
         Motion::Lateral => "any",
     }
 }
@@ -95,6 +95,7 @@ pub fn clauses(motion: Motion) -> [&'static str; 3] {
     match motion {
         Motion::Torsion => ["the bit", "sticks and slips", "turns smoothly"],
         Motion::Lateral => ["the string", "whirls", "does not whirl"],
+        Motion::Axial => ["the bit", "chatters or bounces", "drills steadily"],
     }
 }
 

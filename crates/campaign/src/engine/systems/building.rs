@@ -6,7 +6,7 @@ use linear::{
     Budget, BuildError, Earlier, ImpulseTrains, Method, Request, ResponsePlan, Responses, parallel,
 };
 use sim::excitation::reach_of_impulse;
-use sim::{Sampling, Simulator, SimulatorPlan};
+use sim::{Sampling, Simulator, SimulatorPlan, System};
 
 use super::MethodSystem;
 use crate::engine::dry_run;
@@ -238,7 +238,13 @@ impl MethodSystem {
         (begun, budget): (Stopwatch, &Budget),
     ) -> Result<Self> {
         SimulatorPlan::of_responses(&responses).ask(budget)?;
-        let simulator = Simulator::started(&responses, &setting.profile)?;
+        let simulator = match &setting.cutting {
+            None => Simulator::started(&responses, &setting.profile)?,
+            Some(cutting) => {
+                let system = System::started(&responses, &setting.profile)?;
+                Simulator::of(system.moving_along(&responses, &cutting.profile)?)
+            }
+        };
         Self::with(setting, responses, simulator, (begun, budget))
     }
 
@@ -251,10 +257,12 @@ impl MethodSystem {
         let build_seconds = begun.seconds();
         let reaches = reaches(setting, &responses);
         let [torsion_margin, bending_margin] = responses.margins(budget)?;
+        let axial_margin = responses.axial_margin()?;
         Ok(Self {
             method: responses.method,
             torsion_margin,
             bending_margin,
+            axial_margin,
             least_impulses: least_impulses(setting, &reaches),
             reaches,
             front: None,

@@ -149,6 +149,8 @@ fn distance(
         _ if sweep.design.varies_string() => None,
         Motion::Torsion => distance_in_torsion(sweep, systems, row, record),
         Motion::Lateral => distance_of_whirl(sweep, row),
+        // None is known in closed form.
+        Motion::Axial => None,
     }
 }
 

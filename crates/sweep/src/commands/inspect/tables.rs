@@ -146,6 +146,7 @@ fn of_taps(taps: &[f64], turns: f64) -> Complex64 {
 struct Exact {
     torsion: Vec<TorsionAdmittance>,
     bending: Vec<ResponseMatrix>,
+    axial: Vec<TorsionAdmittance>,
 }
 
 impl Exact {
@@ -163,16 +164,35 @@ impl Exact {
                 parallel::map(count, 1, |it| network.at_rate(TAU * frequencies[it]))
             }
         };
-        Ok(Self { torsion, bending })
+        let axial = match &setting.cutting {
+            None => Vec::new(),
+            Some(cutting) => {
+                let network = TorsionNetwork::new(&cutting.rod, &setting.sites)?;
+                parallel::map(count, 1, |it| network.at_frequency(frequencies[it]))
+            }
+        };
+        Ok(Self {
+            torsion,
+            bending,
+            axial,
+        })
+    }
+
+    /// Of the string as it twists, or stretches.
+    fn rod(&self, channel: Channel) -> &[TorsionAdmittance] {
+        match channel {
+            Channel::Axial => &self.axial,
+            _ => &self.torsion,
+        }
     }
 
     fn of(&self, between: Between) -> Vec<Complex64> {
         let Between { channel, from, to } = between;
         match (channel, from) {
-            (Channel::Torsion, None) => (self.torsion.iter())
+            (Channel::Torsion | Channel::Axial, None) => (self.rod(channel).iter())
                 .map(|admittance| admittance.from_surface[to])
                 .collect(),
-            (Channel::Torsion, Some(from)) => (self.torsion.iter())
+            (Channel::Torsion | Channel::Axial, Some(from)) => (self.rod(channel).iter())
                 .map(|admittance| admittance.from_torque[(to, from)])
                 .collect(),
             // Nothing in bending is moved by the surface.
@@ -191,6 +211,7 @@ fn first_columns(sweep: &Sweep, method: &str, between: Between) -> String {
         (None, _) => ("surface_speed", "1"),
         (Some(_), Channel::Torsion) => ("torque", "rad/(s N m)"),
         (Some(_), Channel::Bending) => ("force", "m/N"),
+        (Some(_), Channel::Axial) => ("force", "m/(s N)"),
     };
     let from = from.map_or_else(String::new, |from| places[from].to_string());
     format!("{method},{channel},{input},{from},{},{unit}", places[to])

@@ -70,10 +70,18 @@ fn question(results: &Results) -> String {
     let motions = manifest.tally.motions();
     let does = match &motions[..] {
         [Motion::Lateral] => format!("Does the {whole} string whirl"),
-        [Motion::Torsion] => format!("Does the bit below {whole} of string stick and slip"),
-        _ => format!(
-            "Does the bit below {whole} of string stick and slip, and does the string whirl"
-        ),
+        motions => {
+            let mut does = vec![format!(
+                "Does the bit below {whole} of string stick and slip"
+            )];
+            let has = |motion| motions.contains(&motion);
+            does.extend(has(Motion::Axial).then(|| "does it chatter or bounce".to_owned()));
+            does.extend(has(Motion::Lateral).then(|| "does the string whirl".to_owned()));
+            match &does[..] {
+                [only] => only.clone(),
+                several => several.join(", and "),
+            }
+        }
     };
     format!("{does}{conditions}?")
 }

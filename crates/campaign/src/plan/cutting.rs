@@ -1,0 +1,409 @@
+//! `[bit.cutting]`, `[feed]` and `[string.axial]`: a bit whose blades cut what the ones before have
+//! left, and the string along its axis.
+
+use linear::estimates::torsional_resistance;
+use linear::steady::{rotation, rotation_speed};
+use linear::{Axial, Drillstring, Hoist};
+use sim::laws::rock::CuttingLaw;
+use sim::{Blades, Cutting, FlatContact, Kick, Start, SurfaceProfile};
+
+use super::conditions::Conditions;
+use super::setting::Setting;
+use super::start::Starts;
+use crate::design::Design;
+use crate::quantities::Axis;
+use crate::sweep_file::{
+    ContactName, CuttingTable, FeedName, FeedTable, FileContent, RockName, Source, StartName,
+    SweepFileError,
+};
+
+/// Young's modulus of steel, GPa.
+const STEEL: f64 = 210.0;
+
+/// An hour, s.
+const HOUR: f64 = 3600.0;
+
+/// The most of a rock's strength that can be meant, as the depth of cut (m) that steady drilling is
+/// looked for up to.
+const DEEPEST_CUT: f64 = 1.0;
+
+/// Halvings of that.
+const HALVINGS: usize = 100;
+
+/// A bit that cuts and the string along its axis, but for what axes may change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CuttingSettings {
+    /// The string as a rod that stretches, below its hoist.
+    pub rod: Drillstring,
+    contact: FlatContact,
+    blades: Blades,
+    /// Tangent of the angle of relief.
+    relief: f64,
+    feed: Feed,
+    /// How the surface reaches its speed along the axis.
+    pub profile: SurfaceProfile,
+    /// The disturbance of a steady start that the file gives.
+    kick: Option<Kick>,
+    /// How long any disturbance lasts, s.
+    kick_time: f64,
+}
+
+/// What is set at the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Feed {
+    /// The weight on bit, by a hoist of this damping, N s/m.
+    HookLoad(f64),
+    /// The speed.
+    Speed,
+}
+
+/// Drilling at which nothing changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SteadyDrilling {
+    /// Of the bit, rad/s.
+    pub speed: f64,
+    /// Rate of penetration, m/s.
+    pub rate: f64,
+    /// N m.
+    pub torque: f64,
+    /// Weight on bit, N.
+    pub weight: f64,
+}
+
+/// The bit of a file that has `[bit.cutting]`.
+///
+/// # Errors
+/// Where a key of it, of `[feed]` or of `[string.axial]` is refused.
+pub fn resolve(
+    source: &Source,
+    content: &FileContent,
+    string: &Drillstring,
+) -> Result<Option<CuttingSettings>, SweepFileError> {
+    let Some(table) = content.bit.as_ref().and_then(|bit| bit.cutting.as_ref()) else {
+        let message = "needs a bit with [bit.cutting]";
+        source.refuse_if(content.feed.is_some(), "feed", message)?;
+        source.refuse_if(content.string.axial.is_some(), "string.axial", message)?;
+        return Ok(None);
+    };
+    check_scene(source, content)?;
+    let feed = content.feed.unwrap_or_default();
+    let rise = source.within("feed.rise_s", feed.rise_s, 0.0, 1e4, "s")?;
+    let (feed, hoist) = hoist(source, &feed)?;
+    let relief = source.within("bit.cutting.relief_deg", table.relief_deg, 0.5, 60.0, "°")?;
+    let kick_time = source.within("bit.cutting.kick_s", table.kick_s, 1e-3, 1e3, "s")?;
+    let axial = Axial {
+        youngs_modulus: youngs_modulus(source, content)?,
+        damping: damping(source, content, string)?,
+        hoist,
+    };
+    let rod = axial.rod(string);
+    Ok(Some(CuttingSettings {
+        rod: rod.map_err(|error| source.error("string.axial", error.to_string()))?,
+        contact: match table.contact {
+            ContactName::Grows => FlatContact::Grows,
+            ContactName::AtOnce => FlatContact::AtOnce,
+        },
+        blades: blades(source, table)?,
+        relief: relief.to_radians().tan(),
+        feed,
+        profile: SurfaceProfile::Rise(rise),
+        kick: kick(source, content, table)?,
+        kick_time,
+    }))
+}
+
+/// Refuses what does not go together with a bit that cuts.
+fn check_scene(source: &Source, content: &FileContent) -> Result<(), SweepFileError> {
+    let message = "is that of a rock whose torque follows from the weight on bit alone; with \
+                   [bit.cutting] it follows from the depth of cut: leave it out";
+    for key in [
+        "torque_static_ratio",
+        "torque_decay_rpm",
+        "torque_dynamic_nm",
+    ] {
+        let key = format!("bit.{key}");
+        source.refuse_if(source.gives_path(&key), &key, message)?;
+    }
+    let rock = content.bit.as_ref().and_then(|bit| bit.rock);
+    let message = "a bit that cuts needs the constants of its rock: `sandstone`, `shale`, or `law` \
+                   with [bit.law]";
+    source.refuse_if(
+        matches!(rock, None | Some(RockName::Table)),
+        "bit.rock",
+        message,
+    )?;
+    let law = content.bit.as_ref().and_then(|bit| bit.law);
+    let cleans_poorly = law.is_some_and(|law| law.poor_cleaning_from_kn.is_some());
+    let message = "is not modelled of a bit with [bit.cutting]";
+    source.refuse_if(cleans_poorly, "bit.law.poor_cleaning_from_kn", message)?;
+    let message = "with [bit.cutting] nothing rubs along the string yet: leave one of both out";
+    source.refuse_if(
+        content.string_friction.is_some(),
+        "string_friction",
+        message,
+    )?;
+    let message =
+        "with [bit.cutting] nothing is compared with a recording yet: leave one of both out";
+    source.refuse_if(!content.compare.is_empty(), "compare", message)
+}
+
+/// What is set at the surface, and the hoist.
+fn hoist(source: &Source, table: &FeedTable) -> Result<(Feed, Option<Hoist>), SweepFileError> {
+    let within = |key: &str, value, least, most, unit| {
+        source.within(&format!("feed.{key}"), value, least, most, unit)
+    };
+    let mass = within("hoist_mass_kg", table.hoist_mass_kg, 0.0, 1e6, "kg")?;
+    let damping = within(
+        "hoist_damping_ns_m",
+        table.hoist_damping_ns_m,
+        1.0,
+        1e9,
+        "N s/m",
+    )?;
+    match table.kind {
+        FeedName::HookLoad => {
+            let message = "the hook load decides how fast the string goes down: leave it out, or \
+                           write `kind = \"speed\"`";
+            source.refuse_if(table.feed_m_h.is_some(), "feed.feed_m_h", message)?;
+            let hoist = Hoist {
+                mass,
+                damping,
+                stiffness: 0.0,
+            };
+            Ok((Feed::HookLoad(damping), Some(hoist)))
+        }
+        FeedName::Speed => {
+            for key in ["hoist_mass_kg", "hoist_damping_ns_m"] {
+                let message = "the surface moves at its speed under any force: leave it out";
+                let key = format!("feed.{key}");
+                source.refuse_if(source.gives_path(&key), &key, message)?;
+            }
+            Ok((Feed::Speed, None))
+        }
+    }
+}
+
+fn youngs_modulus(source: &Source, content: &FileContent) -> Result<f64, SweepFileError> {
+    let own = content
+        .string
+        .axial
+        .and_then(|axial| axial.youngs_modulus_gpa);
+    let of_bending = content
+        .string
+        .bending
+        .map(|bending| bending.youngs_modulus_gpa);
+    let modulus = own.or(of_bending).unwrap_or(STEEL);
+    let modulus = source.within("string.axial.youngs_modulus_gpa", modulus, 0.1, 1e3, "GPa")?;
+    Ok(1e9 * modulus)
+}
+
+/// c_a, N s/m², by default c_t ∫A dx / ∫J dx: the same rate of decay.
+fn damping(
+    source: &Source,
+    content: &FileContent,
+    string: &Drillstring,
+) -> Result<f64, SweepFileError> {
+    if let Some(damping) = content.string.axial.and_then(|axial| axial.damping_ns_m2) {
+        return source.within("string.axial.damping_ns_m2", damping, 0.0, 1e7, "N s/m²");
+    }
+    let (mut area, mut moment) = (0.0, 0.0);
+    for section in string.sections() {
+        for part in &section.parts {
+            let length = section.repeat as f64 * part.length;
+            area += length * part.area();
+            moment += length * part.polar_moment();
+        }
+    }
+    Ok(string.torsional_damping() * area / moment)
+}
+
+fn blades(source: &Source, table: &CuttingTable) -> Result<Blades, SweepFileError> {
+    let key = "bit.cutting.blades";
+    let count = source.within(key, table.blades as f64, 1.0, 20.0, "")?;
+    let Some(angles) = &table.blade_angles_deg else {
+        return Ok(Blades::Even(count as usize));
+    };
+    let key = "bit.cutting.blade_angles_deg";
+    let message = "gives the blades: leave `blades` out";
+    let is_double = source.gives_within(["bit", "cutting"], "blades");
+    source.refuse_if(is_double, key, message)?;
+    let turn: f64 = angles.iter().sum();
+    let message = format!(
+        "needs up to 20 positive angles, 360° together, not {} with {turn}° together",
+        angles.len()
+    );
+    let is_turn = (turn - 360.0).abs() < 1e-3 && angles.iter().all(|angle| *angle > 0.0);
+    source.refuse_if(!is_turn || angles.len() > 20, key, message)?;
+    // To a whole turn, however it was rounded.
+    let radians = angles
+        .iter()
+        .map(|angle| angle / turn * std::f64::consts::TAU);
+    Ok(Blades::Uneven(radians.collect()))
+}
+
+/// The disturbance that a file gives itself.
+fn kick(
+    source: &Source,
+    content: &FileContent,
+    table: &CuttingTable,
+) -> Result<Option<Kick>, SweepFileError> {
+    let within = |key: &str, value: Option<f64>, most: f64, unit| {
+        let key = format!("bit.cutting.{key}");
+        value
+            .map(|value| source.within(&key, value, -most, most, unit))
+            .transpose()
+    };
+    let torque = within("kick_nm", table.kick_nm, 1e7, "N m")?;
+    let force = within("kick_kn", table.kick_kn, 2e3, "kN")?;
+    if torque.is_none() && force.is_none() {
+        return Ok(None);
+    }
+    let key = match torque {
+        Some(_) => "bit.cutting.kick_nm",
+        None => "bit.cutting.kick_kn",
+    };
+    let message = "disturbs a steady start: it needs `start = \"smooth\"`";
+    let is_steady = content.start == Some(StartName::Smooth);
+    source.refuse_if(!is_steady, key, message)?;
+    let message = "a kick is given: leave it out";
+    source.refuse_if(
+        content.start_disturbance.is_some(),
+        "start_disturbance",
+        message,
+    )?;
+    Ok(Some(Kick {
+        torque: torque.unwrap_or(0.0),
+        force: 1e3 * force.unwrap_or(0.0),
+        duration: table.kick_s,
+    }))
+}
+
+/// Every case must know what its surface is set to.
+///
+/// # Errors
+/// Names what is missing, or there in vain.
+pub fn is_complete(
+    source: &Source,
+    content: &FileContent,
+    conditions: &Conditions,
+    design: &Design,
+) -> Result<(), SweepFileError> {
+    let has = |axis| conditions.has(axis, design);
+    let idle = [
+        Axis::TorqueDynamicNm,
+        Axis::TorqueStaticRatio,
+        Axis::TorqueDecay,
+    ];
+    if let Some(axis) = design.axes().iter().find(|axis| idle.contains(axis)) {
+        let key = format!("design.axes.{}", axis.name());
+        let message = "with [bit.cutting] the torque follows from the depth of cut";
+        return Err(source.error(&key, message));
+    }
+    match content.feed.unwrap_or_default().kind {
+        FeedName::HookLoad => {
+            let message = "needs `weight_on_bit_kn`, or that as an axis of the design";
+            source.refuse_if(!has(Axis::WeightOnBitKn), "bit", message)?;
+            let message = "is the feed of `kind = \"speed\"` in [feed]";
+            source.refuse_if(has(Axis::FeedMH), "design.axes.feed_m_h", message)
+        }
+        FeedName::Speed => {
+            let message = "needs `feed_m_h`, or that as an axis of the design";
+            source.refuse_if(!has(Axis::FeedMH), "feed", message)?;
+            let message = "the weight on bit follows from the feed: leave it out";
+            source.refuse_if(has(Axis::WeightOnBitKn), "bit.weight_on_bit_kn", message)
+        }
+    }
+}
+
+impl CuttingSettings {
+    /// Number of blades.
+    pub fn blades(&self) -> usize {
+        match &self.blades {
+            Blades::Even(count) => *count,
+            Blades::Uneven(angles) => angles.len(),
+            _ => 1,
+        }
+    }
+
+    /// The bit in a rock.
+    pub fn bit_in(&self, law: CuttingLaw) -> Cutting {
+        Cutting {
+            rock: law,
+            contact: self.contact,
+            blades: self.blades.clone(),
+            relief: self.relief,
+        }
+    }
+
+    /// What the surface is set to in the end under given conditions, m/s; `None` where they do not say.
+    pub fn feed(&self, conditions: &Conditions) -> Option<f64> {
+        match self.feed {
+            Feed::HookLoad(damping) => Some(1e3 * conditions.weight_on_bit_kn? / damping),
+            Feed::Speed => Some(conditions.feed_m_h? / HOUR),
+        }
+    }
+
+    /// Steady drilling of a string whose surface turns at a speed, rad/s, and is let down at a feed,
+    /// m/s.
+    pub fn steady(
+        &self,
+        string: &Drillstring,
+        cutting: &Cutting,
+        surface_speed: f64,
+        feed: f64,
+    ) -> SteadyDrilling {
+        let at = |depth: f64| {
+            let [torque, weight] = cutting.steady(depth);
+            let speed = rotation_speed(string, surface_speed, torque);
+            SteadyDrilling {
+                speed,
+                rate: depth * cutting.blades() as f64 * speed / std::f64::consts::TAU,
+                torque,
+                weight,
+            }
+        };
+        let resistance = torsional_resistance(&self.rod);
+        // What is left over of weight, or of feed: less for a deeper cut.
+        let left = |drilling: SteadyDrilling| match self.feed {
+            Feed::HookLoad(damping) => {
+                damping * feed - (damping + resistance) * drilling.rate - drilling.weight
+            }
+            Feed::Speed => feed - drilling.rate,
+        };
+        let (mut low, mut high) = (0.0, DEEPEST_CUT);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if left(at(middle)) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        at(low)
+    }
+
+    /// How a case of a setting begins, at a rate of penetration (m/s), and what disturbs it.
+    pub fn start(
+        &self,
+        setting: &Setting,
+        starts: &Starts,
+        (surface_speed, steady): (f64, SteadyDrilling),
+    ) -> (Start, f64, Option<Kick>) {
+        let begins_steadily = starts.name == StartName::Smooth;
+        if !begins_steadily || steady.speed <= 0.0 || steady.rate <= 0.0 {
+            return (Start::Rest, 0.0, None);
+        }
+        let motion = rotation(
+            &setting.string,
+            &setting.sites,
+            surface_speed,
+            steady.torque,
+        );
+        let kick = self.kick.unwrap_or(Kick {
+            torque: -starts.disturbance * steady.torque,
+            force: starts.disturbance * steady.weight,
+            duration: self.kick_time,
+        });
+        (Start::Steady(motion), steady.rate, Some(kick))
+    }
+}
