@@ -14,6 +14,7 @@ use serde::Deserialize;
 use crate::axes::{position, range_of_axis};
 use crate::many_sites_limit::many_sites_limit;
 use crate::sliding_together::sliding_together;
+use crate::steady_drilling::steady_drilling_points;
 use crate::whirl_limit::{WhirlPoint, whirl_limit};
 use campaign::engine::{MethodSystem, stick_slip_limit};
 use campaign::plan::{Bit, LateralSettings, Sweep, TorqueError};
@@ -43,6 +44,8 @@ pub enum TorsionLimit {
     /// Below it smooth rotation does not last, as the torque on the bit falls too steeply with its
     /// speed.
     SmoothRotation,
+    /// Where steady drilling with blades that cut what they leave is about to grow.
+    SteadyDrilling,
 }
 
 impl TorsionLimit {
@@ -51,6 +54,7 @@ impl TorsionLimit {
         match self {
             TorsionLimit::StickSlip => "stick_slip",
             TorsionLimit::SmoothRotation => "smooth_rotation",
+            TorsionLimit::SteadyDrilling => "steady_drilling",
         }
     }
 }
@@ -116,6 +120,9 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
             None => Vec::new(),
         };
         return Ok(Boundary::Whirl(points));
+    }
+    if let (Some(bit), Some(_)) = (&sweep.bit, &sweep.setting.cutting) {
+        return Ok(Boundary::StickSlip(steady_drilling_points(sweep, bit)));
     }
     let is_torque = |axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     match (&sweep.bit, position(sweep, is_torque)) {
@@ -203,8 +210,8 @@ fn smooth_rotation_points(sweep: &Sweep, bit: &Bit, position: usize) -> Vec<Stic
     along_axis(sweep, position).filter_map(at).collect()
 }
 
-/// What the limit of smooth rotation is computed by.
-const WAVES: &str = "waves";
+/// What limits of small motion are computed by.
+pub(crate) const WAVES: &str = "waves";
 
 /// Eq. 74 between two weights on bit (kN) by the undershoot of the string as it is, whose fronts
 /// no step smears; without points where the cases have no one limit, or where that undershoot

@@ -15,6 +15,7 @@ const OF_ANY_SITES: &str =
     "least friction of steady whirl of any sites together (necessary, not sufficient)";
 
 const SMOOTH_ROTATION: &str = "smooth rotation is lost below";
+const STEADY_DRILLING: &str = "limit of steady drilling (linear)";
 
 /// More branches than this hide the cases of a map.
 const MOST_BRANCHES: usize = 6;
@@ -82,6 +83,12 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
     } else {
         Axis::TorqueDynamicNm
     };
+    if points
+        .iter()
+        .any(|point| point.limit == TorsionLimit::SteadyDrilling)
+    {
+        return vec![steady_drilling_curve(points)];
+    }
     let methods = points.chunk_by(|one, next| one.method == next.method);
     methods
         .map(|points| Curve {
@@ -90,6 +97,7 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
                     format!("stick-slip limit (Eq. 74), {}", points[0].method)
                 }
                 TorsionLimit::SmoothRotation => SMOOTH_ROTATION.to_owned(),
+                TorsionLimit::SteadyDrilling => STEADY_DRILLING.to_owned(),
             },
             method: (points[0].limit == TorsionLimit::StickSlip).then(|| points[0].method.clone()),
             motion: Motion::Torsion,
@@ -103,6 +111,24 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
             is_least: true,
         })
         .collect()
+}
+
+/// Where steady drilling is about to grow: a piece as long as the weight grows.
+fn steady_drilling_curve(points: &[StickSlipPoint]) -> Curve {
+    let along = Axis::WeightOnBitKn;
+    let pieces = points.chunk_by(|one, next| one.along(along) < next.along(along));
+    let place = |point: &StickSlipPoint| Some([point.along(along)?, point.surface_speed_rpm]);
+    Curve {
+        name: STEADY_DRILLING.to_owned(),
+        method: None,
+        motion: Motion::Axial,
+        along,
+        limited: Axis::SurfaceSpeedRpm,
+        pieces: pieces
+            .map(|piece| piece.iter().filter_map(place).collect())
+            .collect(),
+        is_least: true,
+    }
 }
 
 /// Rolling whirl, a piece for each of its branches, any whirl at one site where that needs less

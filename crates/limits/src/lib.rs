@@ -50,6 +50,7 @@ mod envelope;
 mod forward_contact;
 mod many_sites_limit;
 mod sliding_together;
+mod steady_drilling;
 mod whirl_limit;
 
 pub use bit_resonances::{BitResonance, bit_resonances};

@@ -42,9 +42,12 @@
 
 use num_complex::Complex64;
 
-use crate::drillstring::{Drillstring, Tube};
+use crate::assembly::lanes::Lanes;
+use crate::assembly::number::Number;
+use crate::drillstring::Drillstring;
 use crate::error::DrillstringError;
 use crate::estimates::{torsional_impedance, torsional_travel_time};
+use crate::parallel;
 use crate::sites::Sites;
 use crate::waves::network::TorsionNetwork;
 
@@ -66,6 +69,9 @@ pub struct SteadyCut {
 pub struct CuttingLoop<'a> {
     torsion: AtBit<'a>,
     axial: AtBit<'a>,
+    samples: Samples,
+    /// Step of ω between samples, rad/s.
+    step: f64,
 }
 
 /// A motion of the string at its bit.
@@ -78,16 +84,22 @@ struct AtBit<'a> {
     round_trip: f64,
 }
 
+/// Speeds of the bit per load at iω, in torsion and along the axis, for steps of ω.
+#[derive(Debug, Default)]
+struct Samples {
+    values: Vec<[Complex64; 2]>,
+    /// From each on, the greatest size of each motion.
+    greatest_from_here: Vec<[f64; 2]>,
+}
+
 /// What is known at a place on the imaginary axis.
 #[derive(Debug, Clone, Copy)]
 struct Place {
     omega: f64,
-    /// D (1 − r_a)(1 − r_t).
+    /// D (1 − r_a)(1 − r_t)/4.
     product: Complex64,
-    /// Its argument less that of D: within half a turn.
-    added: f64,
-    /// The most that D can differ from 1 here, whatever the phase of the delay, times ω.
-    reach: f64,
+    /// (1 − r)/2 of each motion: the arguments of both are within a quarter turn.
+    parts: [Complex64; 2],
 }
 
 /// Changes of an argument are followed in steps no larger than this, rad.
@@ -96,31 +108,49 @@ const LARGEST_TURN: f64 = 0.3;
 /// Halvings of a step.
 const MOST_HALVINGS: u32 = 40;
 
-/// Beyond the frequency at which D can differ from 1 by this part, by the sharpest resonance so far,
-/// no root can grow; the rest is for sharper ones.
-const NEGLIGIBLE: f64 = 0.25;
+/// Where D differs from 1 by no more than this part, whatever the phases, it turns no further.
+const ENOUGH: f64 = 0.5;
 
-/// Steps along the axis: about a second of work.
-const MOST_STEPS: usize = 3_000_000;
+/// By how much resonances beyond the samples may be sharper than those of the last octave.
+const SHARPER: f64 = 4.0;
 
-/// Of Newton's method, and of bisection.
+/// Most steps along the axis: some seconds of work, and 48 MB.
+const MOST_SAMPLES: usize = 1 << 20;
+
+/// Samples that are made at once, and groups of them that a core makes in one go.
+const BLOCK: usize = 4096;
+const GROUPS_AT_ONCE: usize = 64;
+
+/// The first sample, in steps: a motion that is held at rest has a pole there.
+const FIRST: f64 = 1e-6;
+
+/// By how much the delay between blades adds to the round trips of waves, at most.
+const TURNS_OF_DELAY: f64 = 1.5;
+
+/// Places to a step at which the root on the axis is looked for.
+const PER_STEP: usize = 4;
+
+/// A bracket of a limit is narrowed to this part before Newton's method takes over.
+const CLOSE: f64 = 1e-4;
+
+/// Of Newton's method.
 const MOST_ITERATIONS: usize = 60;
 
 impl AtBit<'_> {
     fn new(string: &Drillstring) -> Result<AtBit<'_>, DrillstringError> {
-        let lowest = |string: &Drillstring| -> Option<Tube> {
-            string.sections().last()?.parts.last().copied()
-        };
-        let impedance = lowest(string).map_or(1.0, |tube| torsional_impedance(string, &tube));
+        let lowest = string
+            .sections()
+            .last()
+            .and_then(|section| section.parts.last());
         Ok(AtBit {
             network: TorsionNetwork::new(string, &Sites::bit())?,
-            impedance,
+            impedance: lowest.map_or(1.0, |tube| torsional_impedance(string, tube)),
             round_trip: 2.0 * torsional_travel_time(string),
         })
     }
 
     /// Speed per load.
-    fn mobility(&self, s: Complex64) -> Complex64 {
+    fn mobility<T: Number>(&self, s: T) -> T {
         self.network.admittance(s).from_torque[(0, 0)]
     }
 }
@@ -131,76 +161,138 @@ impl<'a> CuttingLoop<'a> {
     /// # Errors
     /// Where either cannot be cut up.
     pub fn new(string: &'a Drillstring, rod: &'a Drillstring) -> Result<Self, DrillstringError> {
+        let (torsion, axial) = (AtBit::new(string)?, AtBit::new(rod)?);
         Ok(Self {
-            torsion: AtBit::new(string)?,
-            axial: AtBit::new(rod)?,
+            step: LARGEST_TURN / (TURNS_OF_DELAY * (torsion.round_trip + axial.round_trip)),
+            torsion,
+            axial,
+            samples: Samples::default(),
         })
+    }
+
+    /// The same, with what does not depend on the cut at hand up to where the roots of one end: many
+    /// cuts that are no stiffer then cost little each.
+    #[must_use]
+    pub fn sampled_for(mut self, cut: &SteadyCut) -> Self {
+        self.samples = self.sample(cut);
+        self
+    }
+
+    /// Samples up to where no root of a cut can grow, by the sharpest resonances of the last octave.
+    fn sample(&self, cut: &SteadyCut) -> Samples {
+        let mut values: Vec<[Complex64; 2]> = Vec::new();
+        while values.len() < MOST_SAMPLES {
+            let begun = values.len();
+            let groups = parallel::map(BLOCK / Lanes::LANES, GROUPS_AT_ONCE, |group| {
+                let first = begun + group * Lanes::LANES;
+                let s = Lanes::of_lanes(|lane| Complex64::new(0.0, self.omega(first + lane)));
+                [&self.torsion, &self.axial].map(|motion| motion.mobility(s))
+            });
+            values.extend(groups.into_iter().flat_map(|motions| {
+                (0..Lanes::LANES).map(move |lane| motions.map(|motion| motion.lane(lane)))
+            }));
+            let octave = &values[values.len() / 2..];
+            let greatest = octave.iter().fold([0.0; 2], larger);
+            if SHARPER * most_fed(cut, greatest) < ENOUGH * self.omega(values.len()) {
+                break;
+            }
+        }
+        Samples::of(values)
+    }
+
+    /// ω of a sample, rad/s.
+    fn omega(&self, index: usize) -> f64 {
+        (index as f64 + FIRST) * self.step
     }
 
     /// D(s).
     pub fn characteristic(&self, cut: &SteadyCut, s: Complex64) -> Complex64 {
-        let [torsion, axial] = self.mobilities(cut, s);
-        let fed = axial * cut.weight - torsion * (cut.advance * cut.torque);
-        delayed(s, cut.delay) * fed + 1.0
+        delayed(s, cut.delay) * fed(cut, self.mobilities(s)) + 1.0
     }
 
-    /// Of torsion and of the axis; zero where the cut does not feel it.
-    fn mobilities(&self, cut: &SteadyCut, s: Complex64) -> [Complex64; 2] {
-        let at = |motion: &AtBit, felt: f64| match felt {
-            0.0 => Complex64::ZERO,
-            _ => motion.mobility(s),
-        };
-        [at(&self.torsion, cut.torque), at(&self.axial, cut.weight)]
+    /// Of torsion and of the axis.
+    fn mobilities(&self, s: Complex64) -> [Complex64; 2] {
+        [&self.torsion, &self.axial].map(|motion| motion.mobility(s))
     }
 
     /// The number of roots that grow; `None` where resonances are too sharp to be followed, as
     /// those of a string that loses nothing.
     pub fn growing(&self, cut: &SteadyCut) -> Option<usize> {
-        let rate = self.torsion.round_trip + self.axial.round_trip + cut.delay;
-        let step = LARGEST_TURN / rate;
-        let mut here = self.at(cut, 1e-6 * step);
-        let (mut turned, mut reach) = (0.0, 0.0_f64);
-        for _ in 0..MOST_STEPS {
-            reach = reach.max(here.reach);
-            if reach < NEGLIGIBLE * here.omega {
-                let of_d = turned - here.added;
-                let roots = (-of_d / std::f64::consts::PI).round();
-                return (roots >= 0.0).then_some(roots as usize);
+        let own;
+        let samples = match self.end(&self.samples, cut) {
+            Some(_) => &self.samples,
+            None => {
+                own = self.sample(cut);
+                &own
             }
-            let next = self.at(cut, here.omega + step);
-            turned += self.turn(cut, here, next, MOST_HALVINGS)?;
+        };
+        let end = self.end(samples, cut)?;
+        let place = |index: usize| self.place(cut, self.omega(index), samples.values[index]);
+        let first = place(0);
+        let mut here = first;
+        let mut turns = 0;
+        for index in 1..=end {
+            let next = place(index);
+            turns += self.turns(cut, here, next, MOST_HALVINGS)?;
             here = next;
         }
-        None
+        let whole = f64::from(turns) * std::f64::consts::TAU;
+        let turned = whole + here.product.arg() - first.product.arg();
+        let added: f64 = here.parts.iter().map(|part| part.arg()).sum();
+        let roots = ((added - turned) / std::f64::consts::PI).round();
+        (roots >= 0.0).then_some(roots as usize)
     }
 
-    fn at(&self, cut: &SteadyCut, omega: f64) -> Place {
-        let s = Complex64::new(0.0, omega);
-        let [torsion, axial] = self.mobilities(cut, s);
-        // 1 − r = 2/(1 + Zg).
-        let [twists, stretches] = [
+    /// The sample beyond which D does not leave the neighbourhood of 1, if there is one.
+    fn end(&self, samples: &Samples, cut: &SteadyCut) -> Option<usize> {
+        let count = samples.values.len();
+        // Sizes from here on fall, and ω grows.
+        let (mut low, mut high) = (0, count);
+        while low < high {
+            let middle = (low + high) / 2;
+            let most = most_fed(cut, samples.greatest_from_here[middle]);
+            if most < ENOUGH * self.omega(middle) {
+                high = middle;
+            } else {
+                low = middle + 1;
+            }
+        }
+        Some(low).filter(|end| *end < count)
+    }
+
+    fn place(&self, cut: &SteadyCut, omega: f64, mobilities: [Complex64; 2]) -> Place {
+        let [torsion, axial] = mobilities;
+        // (1 − r)/2 = 1/(1 + Zg).
+        let parts = [
             (torsion * self.torsion.impedance + 1.0).inv(),
             (axial * self.axial.impedance + 1.0).inv(),
         ];
-        let both = twists * stretches;
-        let fed = axial * cut.weight - torsion * (cut.advance * cut.torque);
+        let s = Complex64::new(0.0, omega);
         Place {
             omega,
-            product: both * (delayed(s, cut.delay) * fed + 1.0),
-            added: twists.arg() + stretches.arg(),
-            reach: 2.0 * fed.norm(),
+            product: parts[0] * parts[1] * (delayed(s, cut.delay) * fed(cut, mobilities) + 1.0),
+            parts,
         }
     }
 
-    /// How far the argument turns between two places.
-    fn turn(&self, cut: &SteadyCut, from: Place, to: Place, halvings: u32) -> Option<f64> {
-        let turn = (to.product / from.product).arg();
-        if turn.abs() <= LARGEST_TURN {
-            return Some(turn);
+    /// How often the product passes the negative real axis between two places, counted where its
+    /// argument grows.
+    fn turns(&self, cut: &SteadyCut, from: Place, to: Place, halvings: u32) -> Option<i32> {
+        let (one, other) = (from.product, to.product);
+        let between = other * one.conj();
+        // In place of the tangent of the largest turn.
+        if between.im.abs() <= LARGEST_TURN * between.re {
+            let passes = one.im.is_sign_negative() != other.im.is_sign_negative() && one.re < 0.0;
+            return Some(match (passes, other.im.is_sign_negative()) {
+                (false, _) => 0,
+                (true, true) => 1,
+                (true, false) => -1,
+            });
         }
-        let middle = self.at(cut, 0.5 * (from.omega + to.omega));
+        let omega = 0.5 * (from.omega + to.omega);
+        let middle = self.place(cut, omega, self.mobilities(Complex64::new(0.0, omega)));
         let left = halvings.checked_sub(1)?;
-        Some(self.turn(cut, from, middle, left)? + self.turn(cut, middle, to, left)?)
+        Some(self.turns(cut, from, middle, left)? + self.turns(cut, middle, to, left)?)
     }
 
     /// The root near a guess, by Newton's method; `None` where that does not converge.
@@ -248,26 +340,15 @@ impl<'a> CuttingLoop<'a> {
         self.on_axis(&at, (0.5 * (low + high), omega))
     }
 
-    /// The frequency, rad/s, at which D is least on the imaginary axis.
+    /// The frequency, rad/s, at which a root is nearest to the imaginary axis.
     fn least(&self, cut: &SteadyCut) -> Option<f64> {
-        let step =
-            LARGEST_TURN / (4.0 * (self.torsion.round_trip + self.axial.round_trip + cut.delay));
-        let (mut omega, mut reach) = (step, 0.0_f64);
-        let mut least = (f64::INFINITY, 0.0);
-        for _ in 0..MOST_STEPS {
-            let s = Complex64::new(0.0, omega);
-            // By how far a root is from the axis.
-            let away = self.root_from(cut, s);
-            if away < least.0 {
-                least = (away, omega);
-            }
-            reach = reach.max(self.at(cut, omega).reach);
-            if reach < NEGLIGIBLE * omega {
-                return Some(least.1);
-            }
-            omega += step;
-        }
-        None
+        let samples = self.sample(cut);
+        let end = PER_STEP * self.end(&samples, cut)?;
+        let omega = |index: usize| self.step * index as f64 / PER_STEP as f64;
+        let away = |index: usize| self.root_from(cut, Complex64::new(0.0, omega(index)));
+        let nearest = (1..=end).map(|index| (away(index), index));
+        let (_, index) = nearest.min_by(|one, other| one.0.total_cmp(&other.0))?;
+        Some(omega(index))
     }
 
     /// About how far the nearest root is from a place: |D/D′|.
@@ -306,8 +387,35 @@ impl<'a> CuttingLoop<'a> {
     }
 }
 
-/// A bracket of a limit is narrowed to this part before Newton's method takes over.
-const CLOSE: f64 = 1e-4;
+/// What the cut feeds back of a depth of cut that grows at a rate.
+fn fed(cut: &SteadyCut, [torsion, axial]: [Complex64; 2]) -> Complex64 {
+    axial * cut.weight - torsion * (cut.advance * cut.torque)
+}
+
+/// The most that it is with the delay, whatever the phases, for responses of these sizes.
+fn most_fed(cut: &SteadyCut, [torsion, axial]: [f64; 2]) -> f64 {
+    2.0 * (axial * cut.weight + torsion * cut.advance * cut.torque)
+}
+
+/// The larger sizes of each motion.
+fn larger(greatest: [f64; 2], mobilities: &[Complex64; 2]) -> [f64; 2] {
+    std::array::from_fn(|motion| greatest[motion].max(mobilities[motion].norm()))
+}
+
+impl Samples {
+    fn of(values: Vec<[Complex64; 2]>) -> Self {
+        let sizes = values.iter().rev().scan([0.0; 2], |greatest, mobilities| {
+            *greatest = larger(*greatest, mobilities);
+            Some(*greatest)
+        });
+        let mut greatest_from_here: Vec<[f64; 2]> = sizes.collect();
+        greatest_from_here.reverse();
+        Self {
+            values,
+            greatest_from_here,
+        }
+    }
+}
 
 /// (1 − e^(−st))/s.
 fn delayed(s: Complex64, time: f64) -> Complex64 {

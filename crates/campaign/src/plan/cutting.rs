@@ -2,6 +2,7 @@
 //! left, and the string along its axis.
 
 use linear::estimates::torsional_resistance;
+use linear::regenerative::SteadyCut;
 use linear::steady::{rotation, rotation_speed};
 use linear::{Axial, Drillstring, Hoist};
 use sim::laws::rock::CuttingLaw;
@@ -68,6 +69,21 @@ pub struct SteadyDrilling {
     pub torque: f64,
     /// Weight on bit, N.
     pub weight: f64,
+}
+
+impl SteadyDrilling {
+    /// As small motion about it feels the rock.
+    pub fn cut(&self, cutting: &Cutting) -> SteadyCut {
+        let advance = self.rate / self.speed;
+        let apart = std::f64::consts::TAU / cutting.blades() as f64;
+        let [torque, weight] = cutting.steady_stiffnesses(advance * apart);
+        SteadyCut {
+            delay: apart / self.speed,
+            advance,
+            torque,
+            weight,
+        }
+    }
 }
 
 /// The bit of a file that has `[bit.cutting]`.

@@ -321,3 +321,148 @@ fn val_steady_drilling_from_rest() {
         assert_part("known", found, known, 1e-6);
     }
 }
+
+/// Axial vibration alone, of a string that turns at a speed whatever the torque, in the numbers of
+/// the literature, where a wave of torsion takes a time of 1 to the bit. The cycles do not quite repeat:
+/// parts at rest depend on the window. Means over the last third, deepest cut and part at rest, by exact delay lines.
+#[test]
+fn val_axial_cycles_of_the_literature() {
+    for (stiffness, rows) in [
+        (
+            10.0,
+            [
+                (1.0, 0.2923, 9.9544, 1.0713),
+                (2.0, 0.4805, 4.8055, 0.70229),
+                (4.0, 0.4250, 2.3238, 0.34817),
+            ],
+        ),
+        (
+            20.0,
+            [
+                (1.0, 0.5139, 19.9047, 1.0826),
+                (2.0, 0.4918, 9.8585, 0.56035),
+                (4.0, 0.3617, 4.8953, 0.29491),
+            ],
+        ),
+        (
+            40.0,
+            [
+                (1.0, 0.6440, 39.8955, 1.0572),
+                (2.0, 0.5731, 19.8505, 0.54234),
+                (4.0, 0.5841, 9.8006, 0.28193),
+            ],
+        ),
+    ] {
+        for (speed, at_rest, weight, deepest) in rows {
+            let steps = axial_cycle(stiffness, speed);
+            let last = &steps[steps.len() / 3 * 2..];
+            let mean_weight = mean(last, |it| it.weight) - FLAT;
+            let name = format!("{stiffness} {speed}");
+            assert_part(&name, mean_weight, weight, 1e-3);
+            assert_part(&name, most(last, |it| it.depth_of_cut), deepest, 5e-3);
+            let found = mean(last, |it| f64::from(u8::from(it.rate == 0.0)));
+            assert!((found - at_rest).abs() < 2e-2, "{name}: {found} {at_rest}");
+        }
+    }
+}
+
+/// What the flats carry there, W_f.
+const FLAT: f64 = 100.0;
+
+/// Steps of such a cycle, of a bit of one blade whose delay is 1 over the speed.
+fn axial_cycle(stiffness: f64, speed: f64) -> Vec<CutStep> {
+    let (step, duration, travel) = (0.0025, 60.0, 1.0 / 1.6);
+    // Axial waves are 1.6 times as fast as those of torsion, which take a time of 1; 0.7 is sent back.
+    let count = (duration / step) as usize;
+    let (impedance, eta) = (1.0 / 1.6, 0.7);
+    let round_trip = (2.0 * travel / step) as usize;
+    let mut axial = vec![0.0; count];
+    axial[0] = 1.0 / impedance;
+    let mut sent_back = 2.0 / impedance;
+    for at in (round_trip..count).step_by(round_trip) {
+        sent_back *= -eta;
+        axial[at] = sent_back;
+    }
+    // A string so heavy that no torque changes its speed.
+    let mut torsion = vec![0.0; count];
+    torsion[0] = 1e-12;
+    let mut surface = vec![0.0; count];
+    surface[0] = 1.0;
+    let channel = |channel, taps: &Vec<f64>| linear::ChannelResponses {
+        channel,
+        loads: vec![0],
+        from_surface: vec![surface.clone()],
+        from_loads: vec![vec![taps.clone()]],
+        ending: linear::passivity::Ending::Ringing,
+    };
+    let (string, ..) = strings(&[pipe(2000.0)], [0.7, 0.7]);
+    let responses = linear::Responses {
+        string: string.id(),
+        method: Method::Held,
+        sites: Sites::bit(),
+        sampling_frequency: 1.0 / step,
+        longest_time: duration,
+        channels: vec![
+            channel(linear::Channel::Torsion, &torsion),
+            channel(linear::Channel::Axial, &axial),
+        ],
+    };
+    let profile = SurfaceProfile::default();
+    let system = System::started(&responses, &profile).unwrap();
+    let system = system.moving_along(&responses, &profile).unwrap();
+    // k_a of one blade of 2π radians; the flats carry FLAT.
+    let cutting = Cutting {
+        rock: CuttingLaw {
+            bit_radius: 1.0,
+            specific_energy: stiffness,
+            cutting_ratio: 1.0,
+            friction: 0.0,
+            contact_strength: FLAT,
+            contact_growth: 1.0,
+            wear_flat: 1.0,
+            poor_cleaning: None,
+        },
+        contact: FlatContact::AtOnce,
+        blades: Blades::Even(1),
+        relief: f64::INFINITY,
+    };
+    // One turn takes 1/speed.
+    let rotation = TAU * speed;
+    let scene: Scene = Scene {
+        surface_speed: rotation,
+        start: Start::Steady(linear::SteadyMotion {
+            speeds: vec![rotation],
+            at_bit: linear::GrowingTorque {
+                torque: -cutting.steady(1.0 / speed)[0],
+                rate: 0.0,
+            },
+            at_surface: linear::GrowingTorque {
+                torque: 0.0,
+                rate: 0.0,
+            },
+        }),
+        bit: None,
+        friction: Vec::new(),
+        axial: Some(sim::Axial {
+            cutting,
+            feed: 1.0,
+            start_rate: 1.0,
+            kick: Some(Kick {
+                torque: 0.0,
+                force: -2.0,
+                duration: 5.0,
+            }),
+        }),
+        lateral: None,
+        timing: Timing {
+            duration,
+            closing_window: 40.0,
+        },
+    };
+    let mut stepper = Stepper::new(&system, &scene).unwrap();
+    let mut steps = Vec::new();
+    while let Some(now) = stepper.step().unwrap() {
+        steps.push(now.cut.unwrap());
+    }
+    steps
+}
