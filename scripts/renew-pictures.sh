@@ -47,7 +47,7 @@ keep well_b history
 keep well_12in campbell
 
 for figure in fig09 fig09_certified fig14 fig17 fig17_trace well_12in well_12in_soft_torque \
-    well_12in_mud; do
+    well_12in_mud well_12in_cutting; do
     "$sweep" run "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" map
 done

@@ -2,8 +2,9 @@
 
 use linear::Sites;
 use sim::Trajectory;
+use sim::laws::cutting::CutStep;
 
-use crate::records::{to_mm, to_rpm};
+use crate::records::{to_kn, to_m_h, to_mm, to_rpm};
 
 /// One of them.
 pub struct HistoryColumn {
@@ -41,6 +42,17 @@ pub fn history_columns(sites: &Sites, motion: &Trajectory) -> Vec<HistoryColumn>
         .into_iter()
         .filter(|(_, values, _)| !values.is_empty());
     columns.extend(known.map(|(name, values, unit)| column(name.to_owned(), values, unit)));
+    let of_cut = |name: &str, value: fn(&CutStep) -> f64| HistoryColumn {
+        name: name.to_owned(),
+        values: motion.cut.iter().map(value).collect(),
+    };
+    if !motion.cut.is_empty() {
+        columns.extend([
+            of_cut("weight_on_bit_kn", |cut| to_kn(cut.weight)),
+            of_cut("rate_of_penetration_m_h", |cut| to_m_h(cut.rate)),
+            of_cut("depth_of_cut_mm", |cut| to_mm(cut.depth_of_cut)),
+        ]);
+    }
     let between_walls = motion.positions.iter().zip(&motion.wall_forces);
     for (site, (positions, forces)) in names.iter().zip(between_walls) {
         let of = |name: &str, vectors: &[[f64; 2]], axis: usize, unit: InUnit| HistoryColumn {

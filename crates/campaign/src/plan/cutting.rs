@@ -178,9 +178,6 @@ fn hoist(source: &Source, table: &FeedTable) -> Result<(Feed, Option<Hoist>), Sw
     )?;
     match table.kind {
         FeedName::HookLoad => {
-            let message = "the hook load decides how fast the string goes down: leave it out, or \
-                           write `kind = \"speed\"`";
-            source.refuse_if(table.feed_m_h.is_some(), "feed.feed_m_h", message)?;
             let hoist = Hoist {
                 mass,
                 damping,
@@ -319,14 +316,23 @@ pub fn is_complete(
         FeedName::HookLoad => {
             let message = "needs `weight_on_bit_kn`, or that as an axis of the design";
             source.refuse_if(!has(Axis::WeightOnBitKn), "bit", message)?;
-            let message = "is the feed of `kind = \"speed\"` in [feed]";
-            source.refuse_if(has(Axis::FeedMH), "design.axes.feed_m_h", message)
+            let message = "the hook load decides how fast the string goes down: leave it out, or \
+                           write `kind = \"speed\"` in [feed]";
+            let key = match conditions.feed_m_h {
+                Some(_) => "feed.feed_m_h",
+                None => "design.axes.feed_m_h",
+            };
+            source.refuse_if(has(Axis::FeedMH), key, message)
         }
         FeedName::Speed => {
             let message = "needs `feed_m_h`, or that as an axis of the design";
             source.refuse_if(!has(Axis::FeedMH), "feed", message)?;
             let message = "the weight on bit follows from the feed: leave it out";
-            source.refuse_if(has(Axis::WeightOnBitKn), "bit.weight_on_bit_kn", message)
+            let key = match conditions.weight_on_bit_kn {
+                Some(_) => "bit.weight_on_bit_kn",
+                None => "design.axes.weight_on_bit_kn",
+            };
+            source.refuse_if(has(Axis::WeightOnBitKn), key, message)
         }
     }
 }

@@ -301,3 +301,110 @@ fn labels_are_certified_by_two_methods_that_share_no_equation() {
         "{both}"
     );
 }
+
+const CUTTING: &str = "surface_speed_rpm = 120\n[bit]\nrock = \"sandstone\"\nweight_on_bit_kn = 60\n\
+                       [bit.cutting]\nblades = 6\n";
+
+#[test]
+fn what_does_not_go_with_a_bit_that_cuts_is_refused_by_its_key() {
+    let bit = |more: &str| CUTTING.replace("[bit.cutting]", &format!("{more}\n[bit.cutting]"));
+    let after = |more: &str| format!("{CUTTING}{more}");
+    let before = |more: &str| format!("{more}\n{CUTTING}");
+    for (text, key) in [
+        (bit("torque_static_ratio = 1.3"), "bit.torque_static_ratio"),
+        (bit("torque_decay_rpm = 5"), "bit.torque_decay_rpm"),
+        (before("start = \"stuck\""), "start"),
+        (before("start = \"both\""), "start"),
+        (before("accuracy = \"1 %\""), "accuracy"),
+        (
+            before("methods = [\"held\", \"finite-element\"]\ncertify = true"),
+            "certify",
+        ),
+        (after("relief_deg = 80"), "bit.cutting.relief_deg"),
+        (
+            after("blade_angles_deg = [180, 180]"),
+            "bit.cutting.blade_angles_deg",
+        ),
+        (after("kick_kn = 1"), "bit.cutting.kick_kn"),
+        (after("[feed]\nfeed_m_h = 20"), "feed.feed_m_h"),
+        (
+            after("[feed]\nkind = \"speed\"\nfeed_m_h = 20"),
+            "bit.weight_on_bit_kn",
+        ),
+        (
+            CUTTING.replace("blades = 6", "blade_angles_deg = [100, 100]"),
+            "bit.cutting.blade_angles_deg",
+        ),
+        (CUTTING.replace("rock = \"sandstone\"", ""), "bit.rock"),
+        ("surface_speed_rpm = 120\n[feed]\n".to_owned(), "feed"),
+        (
+            "surface_speed_rpm = 120\n[string.axial]\ndamping_ns_m2 = 1\n".to_owned(),
+            "string.axial",
+        ),
+    ] {
+        let found = message(&text);
+        assert!(found.contains(&format!("`{key}`: ")), "{key}: {found}");
+    }
+}
+
+/// A bit that drills steadily is the rock law that is there, and axial vibration dies away as torsion
+/// does unless a file says otherwise.
+#[test]
+fn a_steady_bit_obeys_the_law_of_its_rock() {
+    let sweep = read(CUTTING).unwrap();
+    let settings = sweep.setting.cutting.as_ref().unwrap();
+    let bit = sweep.bit.as_ref().unwrap();
+    let law = bit.cutting_law(&sweep.conditions).unwrap().unwrap();
+    let cutting = settings.bit_in(law);
+    let feed = settings.feed(&sweep.conditions).unwrap();
+    let speed = sweep.conditions.surface_speed().unwrap();
+    let steady = settings.steady(&sweep.setting.string, &cutting, speed, feed);
+    let rock = bit.rock.as_ref().unwrap();
+    let torque = rock.torque_dynamic(steady.weight).unwrap();
+    assert!(
+        (steady.torque / torque - 1.0).abs() < 1e-9,
+        "{steady:?} {torque}"
+    );
+    // Hoist and damping take their part of the weight that is set.
+    assert!(steady.weight < 60e3 && steady.weight > 50e3, "{steady:?}");
+    let rate = linear::estimates::torsional_decay_rate;
+    let rates = [rate(&sweep.setting.string), rate(&settings.rod)];
+    assert!((rates[0] / rates[1] - 1.0).abs() < 1e-9, "{rates:?}");
+}
+
+/// In soft rock the axis is stable when the bit turns fast, and there the rate of penetration is that of
+/// steady drilling.
+#[test]
+fn val_steady_drilling_stays_steady_above_its_limit() {
+    let file = |speed: f64| {
+        format!(
+            "surface_speed_rpm = {speed}\nstart = \"smooth\"\nmethods = [\"held\", \"quadrature\"]\n\
+             [bit]\nrock = \"law\"\nweight_on_bit_kn = 20\n[bit.law]\nbit_radius_m = 0.15\n\
+             specific_energy_mpa = 20\ncutting_ratio = 0.6\nfriction = 0.6\n\
+             contact_strength_mpa = 60\ncontact_growth = 50\nwear_flat_mm = 1\n\
+             [bit.cutting]\nblades = 6\n[string.axial]\ndamping_ns_m2 = 200\n"
+        )
+    };
+    let outcome = |speed: f64| {
+        let sweep = read(&file(speed)).unwrap();
+        let case = crate::engine::Case::of(&sweep, &sweep.setting, 0).unwrap();
+        let longest = case.scene.timing.duration;
+        let outcomes: Vec<sim::AxialMeasures> = (sweep.methods.iter())
+            .map(|&method| {
+                let recipe = crate::engine::Recipe::of(&sweep, &sweep.setting, method, longest);
+                let system = recipe.build().unwrap();
+                let outcome = system.simulate(&case, sim::Stopping::Early, None).unwrap();
+                outcome.axial().unwrap()
+            })
+            .collect();
+        outcomes
+    };
+    for axial in outcome(400.0) {
+        assert_eq!(axial.regime, sim::AxialRegime::Steady, "{axial:?}");
+        let part = axial.part_of_steady.unwrap();
+        assert!((part - 1.0).abs() < 1e-3, "{axial:?}");
+    }
+    for axial in outcome(80.0) {
+        assert_ne!(axial.regime, sim::AxialRegime::Steady, "{axial:?}");
+    }
+}

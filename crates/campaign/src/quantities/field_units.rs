@@ -50,6 +50,9 @@ pub const LENGTH: Twin = twin(["_m", "_ft"], ["m", "ft"], &[FOOT]);
 /// Lengths across the borehole.
 pub const WIDTH: Twin = twin(["_mm", "_in"], ["mm", "in"], &[1e3 * INCH]);
 
+/// Rates of penetration, and speeds at which a string is let down.
+pub const RATE: Twin = twin(["_m_h", "_ft_h"], ["m/h", "ft/h"], &[FOOT]);
+
 /// Moments of inertia.
 pub const INERTIA: Twin = twin(
     ["_kg_m2", "_lb_ft2"],
@@ -89,7 +92,7 @@ pub const TWINS: [Twin; 22] = [
     twin(["_m", "_in"], ["m", "in"], &[INCH]),
     WIDTH,
     twin(["_m_s", "_ft_s"], ["m/s", "ft/s"], &[FOOT]),
-    twin(["_m_h", "_ft_h"], ["m/h", "ft/h"], &[FOOT]),
+    RATE,
     twin(["_kg", "_lb"], ["kg", "lb"], &[POUND]),
     twin(["_kg_m3", "_ppg"], ["kg/m³", "ppg"], &[POUND / GALLON]),
     INERTIA,

@@ -19,7 +19,7 @@ mod measure;
 mod record;
 mod verdict;
 
-pub use column::{Group, Needs, RecordRow, ResultColumn, to_kn, to_mm, to_rpm, to_turns};
+pub use column::{Group, Needs, RecordRow, ResultColumn, to_kn, to_m_h, to_mm, to_rpm, to_turns};
 pub use columns::{
     COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, OLD_PREDICTED, is_of_results,
 };

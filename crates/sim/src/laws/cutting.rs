@@ -22,6 +22,8 @@
 
 mod advance;
 mod face;
+#[cfg(test)]
+mod tests;
 
 pub use face::Face;
 
@@ -277,12 +279,19 @@ impl CuttingForces {
     ) -> CutStep {
         let at = |speed: f64| self.try_speed(speed, place, face, line, axial);
         let held = at(0.0);
+        // Where flats land all at once, or a blade meets the ledge at the end of its own cut, torque
+        // jumps: what it is follows from the load line.
+        let step = |trial: Trial| CutStep {
+            torque: (line.free_speed - trial.speed) / line.compliance,
+            ..self.step(trial)
+        };
         if line.free_speed <= 0.0 {
             // Rock keeps a bit from turning back; in the air it does.
             return match held.advance.touches {
                 true => self.stuck(line, held),
                 false => CutStep {
                     speed: line.free_speed,
+                    torque: 0.0,
                     ..self.step(at(line.free_speed))
                 },
             };
@@ -290,14 +299,14 @@ impl CuttingForces {
         let is_steep = self.may_be_steep(place, face, line, axial);
         if is_steep && place.speed > 0.0 {
             if let Some(found) = self.fastest(place, face, (line, axial), &at) {
-                return self.step(found);
+                return step(found);
             }
         }
         if held.residual <= 0.0 {
             return self.stuck(line, held);
         }
         let guess = place.speed.clamp(0.0, line.free_speed);
-        self.step(solve(held, line.free_speed, guess, at))
+        step(solve(held, line.free_speed, guess, at))
     }
 
     /// Whether the torque may fall with speed as steeply as the load line, as the rock before the bit

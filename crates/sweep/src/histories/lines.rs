@@ -11,8 +11,8 @@ use super::vibration::Vibration;
 use campaign::engine::{Beyond, Case, Clearances, Simulation};
 
 use campaign::plan::Sweep;
-use campaign::quantities::{FORCE, LENGTH, TORQUE, Units, WIDTH};
-use campaign::records::{Found, to_rpm};
+use campaign::quantities::{FORCE, LENGTH, RATE, TORQUE, Units, WIDTH};
+use campaign::records::{Found, to_kn, to_m_h, to_mm, to_rpm};
 use campaign::words::{counted, decimals, short, site_title, together, wrapped};
 
 /// The sites that were found, every case with what a run answers to it by each method, what came
@@ -201,6 +201,30 @@ fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>, units: Units) -> Ve
                 |severity| format!("severity {severity:.2}"),
             ),
         ]);
+    }
+    if let Some(axial) = outcome.axial() {
+        let per_cent = |part: f64| format!("{:.1} %", 100.0 * part);
+        let rate = units.of(&RATE);
+        let steady = axial
+            .part_of_steady
+            .map(|part| format!("{part:.2} of steady drilling"));
+        let weight = units.of(&FORCE);
+        let measures: Vec<String> = [
+            axial.regime.name().to_owned(),
+            rate.text(to_m_h(axial.rate_of_penetration), 1),
+        ]
+        .into_iter()
+        .chain(steady)
+        .chain([
+            format!("off bottom {}", per_cent(axial.off_bottom)),
+            format!("W to {}", weight.text(to_kn(axial.peak_weight), 1)),
+            format!(
+                "cut to {}",
+                units.of(&WIDTH).text(to_mm(axial.peak_depth_of_cut), 2)
+            ),
+        ])
+        .collect();
+        add(&measures);
     }
     if found.is_empty() {
         found.push("the bit is free".to_owned());

@@ -7,7 +7,7 @@ use super::known::{has_surface_speed, has_surface_torque, has_torque};
 use super::marks::{each_once, level, shown_clearances, style};
 use campaign::engine::{Case, Simulation};
 use campaign::plan::{Comparison, Sweep};
-use campaign::quantities::{TORQUE, Unit, Units, WIDTH};
+use campaign::quantities::{FORCE, TORQUE, Unit, Units, WIDTH};
 use campaign::records::to_rpm;
 use campaign::sweep_file::TraceName;
 use campaign::words::site_title;
@@ -116,6 +116,7 @@ impl Histories<'_> {
         let lowest = site_title(distances[distances.len() - 1], units);
         let label = format!("Difference in radius at {lowest} ({})", width.name);
         list.extend(self.difference(&label, list.last()));
+        list.extend(self.of_cutting());
         list.extend(self.surface_torque());
         list
     }
@@ -151,6 +152,7 @@ impl Histories<'_> {
         if has_torque(self.simulations) {
             list.push(self.torque());
         }
+        list.extend(self.of_cutting());
         list.extend(self.surface_torque());
         if has_surface_speed(self.simulations) {
             let mut series =
@@ -160,6 +162,32 @@ impl Histories<'_> {
         }
         list.extend(difference);
         list
+    }
+
+    /// Weight on bit and depth of cut of a bit that cuts.
+    fn of_cutting(&self) -> Vec<Panel> {
+        let mut simulations = self.simulations.iter();
+        if !simulations.all(|simulation| !simulation.trajectory.cut.is_empty()) {
+            return Vec::new();
+        }
+        let (force, width) = (self.units().of(&FORCE), self.units().of(&WIDTH));
+        let weights =
+            self.of_each(&|trajectory, index| force.number(1e-3 * trajectory.cut[index].weight));
+        let depths = self
+            .of_each(&|trajectory, index| width.number(1e3 * trajectory.cut[index].depth_of_cut));
+        let set = |case: &Case| Some(force.number(case.conditions.weight_on_bit_kn?));
+        vec![
+            self.panel(
+                &format!("Weight on bit ({})", force.name),
+                weights,
+                levels(self.cases, "set", set),
+            ),
+            self.panel(
+                &format!("Depth of cut ({})", width.name),
+                depths,
+                Vec::new(),
+            ),
+        ]
     }
 
     /// The torque that turns the surface, where it is followed, together with the recorded one.
