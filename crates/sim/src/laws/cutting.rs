@@ -125,7 +125,7 @@ pub(crate) struct CuttingForces {
 }
 
 /// Steps of a solver, far more than it takes.
-const MOST_STEPS: usize = 80;
+const MOST_STEPS: usize = 160;
 
 /// What is left of a speed is rounding, in parts of the free speed.
 const ROUNDING: f64 = 4e-15;
@@ -403,8 +403,14 @@ impl CuttingForces {
         };
         let advance = self.grip.meet(axial, gaps, bound);
         let flat = advance.weight - self.grip.weight * advance.cut;
-        let flat = flat.clamp(0.0, advance.most_on_flats);
-        let flat_change = advance.weight_change - self.grip.weight * advance.cut_change;
+        let (flat, flat_change) = if flat < 0.0 {
+            (0.0, 0.0)
+        } else if flat > advance.most_on_flats {
+            (advance.most_on_flats, advance.most_change)
+        } else {
+            let change = advance.weight_change - self.grip.weight * advance.cut_change;
+            (flat, change)
+        };
         let torque = self.torque * advance.cut + self.flat_radius * flat;
         let change = self.torque * advance.cut_change + self.flat_radius * flat_change;
         Trial {
@@ -427,6 +433,7 @@ fn solve(low: Trial, high: f64, guess: f64, at: impl Fn(f64) -> Trial) -> Trial 
     let scale = high.abs().max(f64::MIN_POSITIVE);
     let mut next = guess;
     let mut found = at(next);
+    let mut before = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         if found.residual.abs() <= ROUNDING * scale || high - low <= ROUNDING * scale {
             break;
@@ -437,10 +444,13 @@ fn solve(low: Trial, high: f64, guess: f64, at: impl Fn(f64) -> Trial) -> Trial 
             high = found.speed;
         }
         let newton = found.speed - found.residual / found.slope;
-        next = match newton > low && newton < high {
+        // A corner may make it creep.
+        let creeps = found.residual.abs() > 0.5 * before;
+        next = match newton > low && newton < high && !creeps {
             true => newton,
             false => 0.5 * (low + high),
         };
+        before = found.residual.abs();
         found = at(next);
     }
     found

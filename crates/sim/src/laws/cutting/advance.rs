@@ -45,8 +45,9 @@ pub(super) struct Advance {
     pub(super) cut_change: f64,
     /// δ, the mean of all blades, m.
     pub(super) depth_of_cut: f64,
-    /// The most that the flats could carry at this depth, N.
+    /// The most that the flats could carry at this depth, N, and how it changes.
     pub(super) most_on_flats: f64,
+    pub(super) most_change: f64,
     /// Whether any blade touches rock.
     pub(super) touches: bool,
 }
@@ -107,7 +108,20 @@ impl Grip {
             cut_change: sum(&|gap| gap.change + within * rate_change),
             depth_of_cut: mean(&|depth| depth + within * rate),
             most_on_flats: mean(&|depth| self.on_flats(depth + within * rate)),
+            most_change: self.growth_left(gaps, within * rate)
+                * (sum(&|gap| gap.change) + within * rate_change * sum(&|_| 1.0)),
             touches: weight > 0.0 || gaps.iter().any(|gap| gap.depth + within * rate >= 0.0),
+        }
+    }
+
+    /// By how much what they carry still grows with the depth of cut, N/m, of the deepest blade.
+    fn growth_left(&self, gaps: &[Gap], advance: f64) -> f64 {
+        let deepest = gaps
+            .iter()
+            .fold(0.0, |deep: f64, gap| deep.max(gap.depth + advance));
+        match self.growth * deepest < self.most {
+            true => self.growth,
+            false => 0.0,
         }
     }
 

@@ -136,6 +136,10 @@ fn wrong(
     let law = [least_flat, most_flat]
         .map(|most| torque_stiffness * deep + ride.cutting.flat_radius() * flat.clamp(0.0, most));
     let size = torque_stiffness * deep + ride.cutting.flat_radius() * most + speeds[0] / per_torque;
+    if cut.speed < 0.0 {
+        // Blades cut one way alone.
+        return near("turning back", cut.torque, 0.0, size);
+    }
     if cut.speed == 0.0 {
         let is_more = cut.torque > law[1] + 1e-9 * size;
         return is_more.then(|| format!("held: {} {law:?}", cut.torque));
@@ -149,7 +153,7 @@ fn wrong(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 20000, failure_persistence: None, ..Default::default() })]
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..Default::default() })]
 
     /// Both load lines, torque, weight, flats and relief, in every step of bits that stick, turn back,
     /// rest, lift off and land.
