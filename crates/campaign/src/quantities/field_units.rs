@@ -85,7 +85,7 @@ pub const TORQUE: Twin = twin(["_nm", "_lbf_ft"], ["N m", "lbf ft"], &[POUND_FOR
 
 /// All of them. Where several fit a name that is read, the known names decide; what has a name
 /// is shown in the first that fits it by the longest ending.
-pub const TWINS: [Twin; 22] = [
+pub const TWINS: [Twin; 23] = [
     twin(["_radius_m", "_diameter_in"], ["m", "in"], &[0.5 * INCH]),
     twin(["_radius_m", "_diameter_mm"], ["m", "mm"], &[0.5e-3]),
     LENGTH,
@@ -125,6 +125,11 @@ pub const TWINS: [Twin; 22] = [
         ["_ns_m2", "_lbf_s_ft2"],
         ["N s/m²", "lbf s/ft²"],
         &[POUND_FORCE / (FOOT * FOOT)],
+    ),
+    twin(
+        ["_ns_m", "_lbf_s_ft"],
+        ["N s/m", "lbf s/ft"],
+        &[POUND_FORCE / FOOT],
     ),
     twin(["_mpa", "_psi"], ["MPa", "psi"], &[1e-6 * PSI]),
     twin(["_gpa", "_psi"], ["GPa", "psi"], &[1e-9 * PSI]),

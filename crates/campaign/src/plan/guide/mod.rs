@@ -105,6 +105,26 @@ axes = ["string_friction", "torsional_damping_nms_rad_m"]
 coefficient = 0.5
 "#;
 
+/// One with the tables of a bit that cuts.
+const EXAMPLE_CUTTING: &str = r#"
+surface_speed_rpm = 120
+start = "smooth"
+[string]
+shear_modulus_gpa = 80
+density_kg_m3 = 7850
+torsional_damping_nms_rad_m = 10
+axial = { youngs_modulus_gpa = 210, damping_ns_m2 = 100 }
+[[string.sections]]
+repeat = 10
+parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.15 }]
+[bit]
+rock = "sandstone"
+[bit.cutting]
+[feed]
+kind = "speed"
+feed_m_h = 20
+"#;
+
 /// What its files have.
 const TABLE_IN_WELL: &str = "\
 time_s,speed_rpm,measured_depth_m,inclination_deg,azimuth_deg
@@ -148,10 +168,18 @@ const fn in_well(heading: &'static str, path: &'static str) -> Chapter {
     }
 }
 
-const CHAPTERS: [Chapter; 26] = [
+const fn cutting(heading: &'static str, path: &'static str) -> Chapter {
+    Chapter {
+        example: EXAMPLE_CUTTING,
+        ..chapter(heading, path)
+    }
+}
+
+const CHAPTERS: [Chapter; 29] = [
     chapter("The file itself", ""),
     chapter("`[string]`", "string"),
     chapter("`[string.bending]`", "string.bending"),
+    cutting("`[string.axial]`", "string.axial"),
     chapter("`[[string.sections]]`", "string.sections.0"),
     chapter("`parts`", "string.sections.0.parts.0"),
     chapter("`[top_drive]`", "top_drive"),
@@ -163,6 +191,8 @@ const CHAPTERS: [Chapter; 26] = [
     in_well("`[[compare]]`", "compare.0"),
     chapter("`[bit]`", "bit"),
     chapter("`[bit.law]`", "bit.law"),
+    cutting("`[bit.cutting]`", "bit.cutting"),
+    cutting("`[feed]`", "feed"),
     chapter("`[wall]`", "wall"),
     chapter("`[[sites]]`", "sites.0"),
     chapter("`[[impulses]]`", "impulses.0"),
@@ -185,7 +215,7 @@ const BASE: &str = "base";
 
 #[test]
 fn the_examples_have_no_fault() {
-    for example in [EXAMPLE, EXAMPLE_IN_WELL] {
+    for example in [EXAMPLE, EXAMPLE_IN_WELL, EXAMPLE_CUTTING] {
         read(example).unwrap();
     }
 }
