@@ -306,7 +306,7 @@ mod tests {
     /// The swing of a string that dies away along its wall: fast at first, and at the end
     /// no longer.
     #[test]
-    fn whirl_that_has_died_away_is_none() {
+    fn whirl_that_has_died_away_has_another_label() {
         let dying = |time: f64| along_the_wall(-9.0 * SPEED * (-time).exp(), 6e-4)(1.0);
         let found = seen(&[&dying]);
         assert_eq!(found.regime, LateralRegime::TransientContact);
