@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Renews the pictures of the guide, docs/images, from the sweep files that are shipped: some six
+# Renews the pictures of the guide, docs/images, from the sweep files that are shipped: some ten
 # minutes on two cores that have nothing else to do, for times are among what is drawn. What the
 # commands say, the numbers that the guide quotes, goes to standard output. The overviews of
 # pictures need Node and Chromium. Two pictures are copied by hand: the maps of `sweep run
@@ -63,6 +63,12 @@ keep first map
 
 for study in tradeoff stability contacts; do
     "$sweep" study "$study" --out "$folder/$study"
+done
+"$sweep" study tradeoff --in-mud --out "$folder/tradeoff_in_mud"
+"$sweep" study stability --in-mud --out "$folder/stability_in_mud" \
+    --family hilbert,direct-idft,newmark,formulas,stiffness,sites,tail,joints
+for study in tradeoff stability; do
+    cp "$folder/${study}_in_mud/$study.png" "$images/${study}_in_mud.png"
 done
 cp "$folder/tradeoff/tradeoff.png" "$folder/stability/stability.png" \
     "$folder/contacts/contacts_limit.png" "$images/"

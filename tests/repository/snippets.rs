@@ -30,7 +30,7 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 16] = [
+const SNIPPETS: [Snippet; 17] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
     snippet(
@@ -38,6 +38,14 @@ const SNIPPETS: [Snippet; 16] = [
         "loss_factor",
         After::Base("well_12in.toml"),
     ),
+    Snippet {
+        printed: &[
+            ("held", "stick_slip", 56),
+            ("quadrature", "stick_slip", 56),
+            ("finite-element", "stick_slip", 56),
+        ],
+        ..snippet("docs/damping.md", "660", After::Nothing)
+    },
     snippet("docs/extending.md", "[dependencies]", After::Other),
     snippet("docs/first-map.md", "repeat = 295", After::New),
     snippet("docs/first-map.md", "[40, 1500]", After::New),

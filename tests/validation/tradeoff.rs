@@ -134,6 +134,10 @@ fn an_invalid_ladder_or_measure_is_refused() {
         (["--ladder", "160,250"], "160 Hz is not between"),
         (["--ladder", "1,2"], "1 Hz is not between"),
         (["--measures", "colour"], "unknown measure `colour`; known"),
+        (
+            ["--in-mud", "--measures=tube_undershoot_rad_s_nm"],
+            "--in-mud: tube_undershoot_rad_s_nm has no reference in mud",
+        ),
     ] {
         let answer = place.sweep(&["study", "tradeoff", arguments[0], arguments[1]]);
         assert_eq!(answer.code, 2, "{answer:?}");

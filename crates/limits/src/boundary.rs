@@ -357,6 +357,9 @@ pub fn read_boundary(path: &Path) -> Result<Boundary> {
 
 #[cfg(test)]
 mod tests {
+    use linear::estimates::torsional_travel_time;
+    use linear::falling_torque::{Resonance, resonances};
+
     use super::*;
     use crate::whirl_limit::WhirlMotion;
 
@@ -396,5 +399,74 @@ mod tests {
             (points[0].motion, points[0].least),
             (WhirlMotion::Rolling, true)
         );
+    }
+
+    /// Drillpipe above collars, with torque that falls with the bit's speed.
+    fn falling(loss: &str) -> Sweep {
+        let text = format!(
+            r#"
+            surface_speed_rpm = 100
+            methods = ["quadrature"]
+            [string]
+            shear_modulus_gpa = 80
+            density_kg_m3 = 7840
+            torsional_damping_nms_rad_m = 0.3
+            {loss}
+            [[string.sections]]
+            name = "drillpipe"
+            repeat = 200
+            parts = [{{ length_m = 9, inner_radius_m = 0.054, outer_radius_m = 0.0635 }}]
+            [[string.sections]]
+            name = "collars"
+            repeat = 3
+            parts = [{{ length_m = 9, inner_radius_m = 0.035, outer_radius_m = 0.0825 }}]
+            [bit]
+            rock = "sandstone"
+            torque_static_ratio = 1.5
+            torque_decay_rpm = 40
+            [design]
+            kind = "grid"
+            [design.axes]
+            weight_on_bit_kn = {{ from = 50, to = 200, count = 4 }}
+            "#
+        );
+        Sweep::read_from(Path::new("sweep.toml"), &[], &|_, _| Ok(text.clone())).unwrap()
+    }
+
+    /// There the law of the bit, by its differences, is as steep as the least that a resonance bears:
+    /// of all up to 1 kHz where the material has loss, of the slow ones by one constant alone.
+    #[test]
+    fn smooth_rotation_is_lost_where_the_torque_falls_as_the_weakest_resonance_bears() {
+        let mut weakest_at = Vec::new();
+        for (loss, has_loss) in [("loss_factor = 0.0001", true), ("", false)] {
+            let sweep = falling(loss);
+            let (string, bit) = (&sweep.setting.string, sweep.bit.as_ref().unwrap());
+            let highest = match has_loss {
+                true => 1000.0,
+                false => 12.0 / torsional_travel_time(string),
+            };
+            let all = resonances(string, highest).unwrap();
+            let falls = |one: &&Resonance, other: &&Resonance| {
+                one.steepest_fall().total_cmp(&other.steepest_fall())
+            };
+            let weakest = all.iter().min_by(falls).unwrap();
+            weakest_at.push(weakest.frequency);
+            let points = smooth_rotation_points(&sweep, bit, 0);
+            assert_eq!(points.len(), POINTS + 1);
+            for point in points.iter().step_by(50) {
+                let law = sweep.conditions.torques(point.torque_dynamic_nm);
+                let speed = point.surface_speed_rpm * std::f64::consts::PI / 30.0;
+                let step = 1e-4 * speed;
+                let [slower, faster] = [speed - step, speed + step].map(|it| law.torque_at(it));
+                let fall = (slower - faster).abs() / (2.0 * step);
+                let expected = weakest.steepest_fall();
+                assert!((fall / expected - 1.0).abs() < 1e-3, "{fall} {expected}");
+            }
+        }
+        // Else the two would not differ.
+        let [with_loss, by_constant] = weakest_at[..] else {
+            panic!("{weakest_at:?}");
+        };
+        assert!(with_loss > 30.0 && by_constant < 20.0, "{weakest_at:?}");
     }
 }

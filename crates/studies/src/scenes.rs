@@ -35,6 +35,38 @@ sections = [
 ]
 "#;
 
+/// What takes energy from the strings of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Loss {
+    /// One constant in torsion and one in bending, as in the paper.
+    Constants,
+    /// These, and viscous mud around a material with loss.
+    Mud,
+}
+
+impl Loss {
+    /// That of a command.
+    pub fn in_mud(in_mud: bool) -> Self {
+        if in_mud { Self::Mud } else { Self::Constants }
+    }
+}
+
+/// A scene in mud, by the name of that file.
+const IN_MUD: &str = "in_mud.toml";
+
+/// The mud that the guide has for 5-inch pipe, in a hole that leaves the paper's collars 50 mm.
+const MUD: &str = r#"
+[string]
+loss_factor = 0.001
+
+[mud]
+density_kg_m3 = 1200
+viscosity_cp = 30
+
+[well]
+hole_diameter_mm = 400
+"#;
+
 /// The text of a shipped file.
 fn text_of(path: &Path) -> Option<&'static str> {
     Some(match path.to_str()? {
@@ -60,6 +92,23 @@ fn text_of(path: &Path) -> Option<&'static str> {
 /// Where it is not among those built in.
 pub fn shipped(name: &str) -> Result<Sweep, SweepFileError> {
     shipped_by(name, &[])
+}
+
+/// The same by what takes energy from its string.
+///
+/// # Errors
+/// As [`shipped`].
+pub fn shipped_with(name: &str, loss: Loss) -> Result<Sweep, SweepFileError> {
+    if loss == Loss::Constants {
+        return shipped(name);
+    }
+    let in_mud = format!("base = \"{name}\"\n{MUD}");
+    Sweep::read_from(Path::new(IN_MUD), &[], &|path, _| {
+        let is_scene = path == Path::new(IN_MUD);
+        let text = text_of(path).map(str::to_owned);
+        let text = if is_scene { Some(in_mud.clone()) } else { text };
+        text.ok_or_else(|| Error::from(ErrorKind::NotFound))
+    })
 }
 
 /// The same with these methods, if there are any, in place of the file's.

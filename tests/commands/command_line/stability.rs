@@ -99,3 +99,34 @@ fn the_atlas_tells_how_often_its_margins_were_right() {
     // No margin is about accuracy.
     assert_eq!(line("tail")[1..4], ["8", "0", "0"].map(str::to_owned));
 }
+
+/// Mud takes energy at every frequency, where one constant leaves none of the margin, and it wears
+/// down what short steps and exact fronts are needed for.
+#[test]
+fn in_mud_margins_are_truly_positive_and_every_method_has_the_limit_of_a_jointed_string() {
+    let place = Workplace::new();
+    let study = ["study", "stability", "--quiet", "--in-mud", "--family"];
+    let rest = ["formulas,joints", "--out", "atlas"];
+    succeeds(&place, &[&study[..], &rest].concat());
+    let table = table(&text(&place, "atlas/stability.csv"));
+    let names = ["family", "method", "margin_torsion", "error"];
+    let (mut margins, mut errors) = (0, 0);
+    for row in columns(&table, names) {
+        if row[0] == "joints" {
+            let error: f64 = row[3].parse().unwrap();
+            assert!(error < 0.03, "{row:?}");
+            errors += 1;
+        } else if row[1] != "trapezoidal" {
+            let margin: f64 = row[2].parse().unwrap();
+            assert!(margin > 0.01, "{row:?}");
+            margins += 1;
+        }
+    }
+    assert_eq!((margins, errors), (10, 28));
+    let refused = place.sweep(&["study", "stability", "--in-mud", "--family", "sections"]);
+    assert_eq!(refused.code, 2, "{refused:?}");
+    assert!(
+        refused.errors.contains("leave that family out"),
+        "{refused:?}"
+    );
+}

@@ -222,3 +222,65 @@ fn key_of(sweep: &Sweep, begins: &str, fixed: &str) -> String {
         _ => format!("design.axes.{axis}"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::memory::Purpose;
+
+    const JOINTED: &str = r#"
+        sampling_frequency_hz = 660
+        surface_speed_rpm = 60
+        time_s = 30
+        methods = ["finite-element"]
+        [string]
+        shear_modulus_gpa = 80
+        density_kg_m3 = 7840
+        loss_factor = 0.001
+        [[string.sections]]
+        repeat = 300
+        parts = [
+            { length_m = 9, inner_radius_m = 0.054, outer_radius_m = 0.0635 },
+            { length_m = 0.5, inner_radius_m = 0.041, outer_radius_m = 0.084 },
+        ]
+        [mud]
+        density_kg_m3 = 1200
+        viscosity_cp = 30
+        [well]
+        hole_diameter_mm = 216
+        [bit]
+        rock = "sandstone"
+        weight_on_bit_kn = 50
+    "#;
+
+    /// Else a key that changes something else of the string would be to blame for the memory that
+    /// its loss takes.
+    #[test]
+    fn a_string_that_is_changed_keeps_its_loss() {
+        let read = |_: &Path, _: u64| Ok(JOINTED.to_owned());
+        let sweep = Sweep::read_from(Path::new("sweep.toml"), &[], &read).unwrap();
+        let demand = Demand {
+            sweep: &sweep,
+            purpose: Purpose::Labels,
+            methods: sweep.methods.clone(),
+            strings: vec![(sweep.setting.clone(), 30.0)],
+            mesh: FiniteElement::default(),
+        };
+        let before = &sweep.setting.string;
+        for (change, cells, damping) in [
+            (usual_damping as Change, 300, DAMPING),
+            (usual_sections, CELLS, 0.0),
+        ] {
+            let mut usual = demand.clone();
+            change(&mut usual);
+            let string = &usual.strings[0].0.string;
+            assert_eq!(string.sections()[0].repeat, cells);
+            assert_eq!(string.torsional_damping(), damping);
+            assert_eq!(string.loss().loss_factor(), 0.001);
+            assert_eq!(string.loss().viscous_mud(), before.loss().viscous_mud());
+            assert!(before.loss().viscous_mud().is_some());
+        }
+    }
+}

@@ -34,6 +34,9 @@ pub enum MotionVerdict {
         contact_fraction: f64,
         /// Rate at which the centre goes round in the closing window, rad/s.
         precession_rate: f64,
+        /// What whirl goes round at, at least, rad/s.
+        #[serde(default)]
+        least_precession_rate: f64,
     },
     /// How the bit moved along its axis.
     Axial {
@@ -82,11 +85,13 @@ impl MotionVerdict {
                 regime,
                 contact_fraction,
                 precession_rate,
+                least_precession_rate,
                 ..
             }) => Self::Lateral {
                 regime,
                 contact_fraction,
                 precession_rate,
+                least_precession_rate,
             },
             Measures::Axial(axial) => Self::Axial {
                 regime: axial.regime,
@@ -108,7 +113,8 @@ impl MotionVerdict {
     ///
     /// Stick-slip is certain below its limit, from one start or from any; smooth drilling above. A
     /// case that was too short for the bit to turn is undetermined. Contact is that of whirl
-    /// where it lasts for most of the closing window, and whirl goes round one way.
+    /// where it lasts for most of the closing window and goes round one way, fast enough; that it
+    /// does not needs one of the two alone, each in parts of where it changes.
     fn distances(&self) -> Option<Vec<f64>> {
         match *self {
             // No limit is known that it could be far from.
@@ -125,14 +131,19 @@ impl MotionVerdict {
                 regime,
                 contact_fraction,
                 precession_rate,
+                least_precession_rate: least,
             } => {
-                let lasting = contact_fraction - Rules::USUAL.mostly;
+                let mostly = Rules::USUAL.mostly;
+                let lasting = contact_fraction - mostly;
                 Some(match regime {
                     // No site has anything to measure.
                     LateralRegime::NoContact => Vec::new(),
-                    LateralRegime::TransientContact => vec![-lasting],
-                    LateralRegime::BackwardWhirl => vec![lasting, -precession_rate],
-                    LateralRegime::ForwardWhirl => vec![lasting, precession_rate],
+                    LateralRegime::TransientContact => {
+                        let turns = precession_rate.abs() - least;
+                        vec![-(lasting / mostly).min(turns / least)]
+                    }
+                    LateralRegime::BackwardWhirl => vec![lasting, -precession_rate - least],
+                    LateralRegime::ForwardWhirl => vec![lasting, precession_rate - least],
                     _ => return None,
                 })
             }
@@ -180,6 +191,7 @@ mod tests {
             regime,
             contact_fraction,
             precession_rate,
+            least_precession_rate: 0.5,
         };
         Verdict::only(Motion::Lateral, sideways)
     }
@@ -246,6 +258,16 @@ mod tests {
             certified_by(&short)[Motion::Lateral],
             Some(transient.into())
         );
+        // Contact lasts by one of them alone, and neither goes round.
+        let lying =
+            [[1.0, 0.1], [0.4, -0.05]].map(|[fraction, rate]| touching(transient, fraction, rate));
+        assert_eq!(
+            certified_by(&lying)[Motion::Lateral],
+            Some(transient.into())
+        );
+        let hardly =
+            [[1.0, 0.1], [1.0, 0.4]].map(|[fraction, rate]| touching(transient, fraction, rate));
+        assert_eq!(certified_by(&hardly), Labels::default());
         let free = touching(LateralRegime::NoContact, 0.0, 0.3);
         assert_eq!(
             certified_by(&[free; 4])[Motion::Lateral],

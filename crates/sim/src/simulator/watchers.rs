@@ -44,7 +44,8 @@ impl Watchers {
         });
         let walls = scene.lateral.as_ref().map(|_| {
             let sites = system.walls.len();
-            let walls = WallWatch::new(rules, sites, sampling, steps, window);
+            let speed = scene.surface_speed;
+            let walls = WallWatch::new(rules, sites, speed, sampling, (steps, window));
             (
                 walls,
                 Settling::new(rules, sites, sampling.frequency, steps),

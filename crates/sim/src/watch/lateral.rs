@@ -1,14 +1,16 @@
 //! The lateral regime of a case and the measures behind it (Sections 5.2.2,
 //! 5.2.3 and 5.3).
 //!
-//! A case is labelled by the site that is in contact longest:
+//! A site whirls that is in contact for most of the closing window and goes round while it is; how
+//! often it has to is [`Rules::least_turns`]. A case is labelled by the whirling site that is in
+//! contact longest; where none whirls, its measures are those of the site in contact longest:
 //!
 //! ```
 //! use sim::{Label, LateralRegime, Motion};
 //!
 //! let labels = LateralRegime::ALL.map(LateralRegime::name);
 //! assert_eq!(labels, ["no_contact", "transient_contact", "backward_whirl", "forward_whirl"]);
-//! // A touch that does not last is no whirl.
+//! // A touch that does not last, or that does not go round, is no whirl.
 //! let is_whirl = |regime: LateralRegime| Label::Lateral(regime).is_sustained();
 //! assert_eq!(is_whirl(LateralRegime::TransientContact), Some(false));
 //! assert_eq!(is_whirl(LateralRegime::BackwardWhirl), Some(true));
@@ -29,8 +31,8 @@ with_words! {
     pub enum LateralRegime {
         /// No site ever touched the wall.
         NoContact = "no_contact",
-        /// Some site touched the wall; none whirls in the closing window: none is in
-        /// contact for most of it and goes round.
+        /// Some site touched the wall; none whirls in the closing window: each that is in
+        /// contact for most of it lies on its wall, and does not go round.
         TransientContact = "transient_contact",
         /// Some site whirls against the rotation.
         BackwardWhirl = "backward_whirl",
@@ -39,8 +41,7 @@ with_words! {
     }
 }
 
-/// What a person would ask of the lateral motion: of the site that decides the
-/// label, the one that is in contact longest in the closing window.
+/// What a person would ask of the lateral motion, of the site that decides the label.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct LateralMeasures {
@@ -59,12 +60,19 @@ pub struct LateralMeasures {
     /// Mean rate at which the centre goes round in the closing window, rad/s;
     /// positive with the rotation; zero for motion in a plane.
     pub precession_rate: f64,
+    /// What whirl goes round at, at least, rad/s; zero in records of earlier versions.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub least_precession_rate: f64,
     /// Mean radial displacement in the closing window, m.
     pub mean_radius: f64,
     /// Mean normal force while in contact in the closing window, N.
     pub mean_normal_force: f64,
     /// Steps of all sites that had several solutions.
     pub ambiguous_steps: usize,
+}
+
+fn is_zero(rate: &f64) -> bool {
+    *rate == 0.0
 }
 
 impl LateralMeasures {
@@ -122,6 +130,8 @@ impl SiteSums {
 pub(crate) struct WallWatch {
     rules: Rules,
     sampling: Sampling,
+    /// Of whirl, rad/s.
+    least_precession_rate: f64,
     closing_from: usize,
     step: usize,
     first_contact: Option<usize>,
@@ -135,14 +145,15 @@ impl WallWatch {
     pub(crate) fn new(
         rules: Rules,
         sites: usize,
+        surface_speed: f64,
         sampling: Sampling,
-        steps: usize,
-        closing_window: f64,
+        (steps, closing_window): (usize, f64),
     ) -> Self {
         let window = (closing_window * sampling.frequency).round() as usize;
         Self {
             rules,
             sampling,
+            least_precession_rate: rules.least_turns * surface_speed.abs(),
             closing_from: steps.saturating_sub(window.max(1)),
             step: 0,
             first_contact: None,
@@ -201,21 +212,25 @@ impl WallWatch {
     /// The measures of sums over some last steps, which stand for the closing
     /// window.
     pub(crate) fn measures_of(&self, closing: &[SiteSums], steps: usize) -> LateralMeasures {
-        let most = closing.iter().map(|sums| sums.contact).max().unwrap_or(0);
+        let steps = steps as f64;
+        let rate = |sums: &SiteSums| sums.turning.angle() * self.sampling.frequency / steps;
+        let contact_fraction = |sums: &SiteSums| sums.contact as f64 / steps;
+        let whirls = |sums: &SiteSums| {
+            contact_fraction(sums) > self.rules.mostly
+                && rate(sums).abs() > self.least_precession_rate
+        };
         // The lowest of equals: the bit, where nothing touches.
+        let decides = |sums: &SiteSums| (whirls(sums), sums.contact);
+        let most = closing.iter().map(decides).max().unwrap_or_default();
         let site = (closing.iter())
-            .rposition(|sums| sums.contact == most)
+            .rposition(|sums| decides(sums) == most)
             .unwrap_or(0);
-        let (sums, steps) = (closing[site], steps as f64);
-        let angle = sums.turning.angle();
-        let contact_fraction = sums.contact as f64 / steps;
+        let sums = &closing[site];
         let in_contact = (sums.contact as f64).max(1.0);
         let regime = match self.first_contact {
             None => LateralRegime::NoContact,
-            Some(_) if contact_fraction <= self.rules.mostly || angle == 0.0 => {
-                LateralRegime::TransientContact
-            }
-            Some(_) if angle < 0.0 => LateralRegime::BackwardWhirl,
+            Some(_) if !whirls(sums) => LateralRegime::TransientContact,
+            Some(_) if rate(sums) < 0.0 => LateralRegime::BackwardWhirl,
             Some(_) => LateralRegime::ForwardWhirl,
         };
         LateralMeasures {
@@ -223,12 +238,93 @@ impl WallWatch {
             site,
             first_contact: self.first_contact.map(|step| self.sampling.time_of(step)),
             peak_radius: self.furthest[site].sqrt(),
-            contact_fraction,
+            contact_fraction: contact_fraction(sums),
             rolling_fraction: sums.rolling as f64 / in_contact,
-            precession_rate: angle * self.sampling.frequency / steps,
+            precession_rate: rate(sums),
+            least_precession_rate: self.least_precession_rate,
             mean_radius: sums.radius / steps,
             mean_normal_force: sums.normal_force / in_contact,
             ambiguous_steps: self.ambiguous,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+
+    const SPEED: f64 = TAU;
+    const RADIUS: f64 = 0.0016;
+
+    /// Goes round at a rate, rad/s, in contact.
+    fn along_the_wall(rate: f64, normal_force: f64) -> impl Fn(f64) -> Contact {
+        move |time| {
+            let (sin, cos) = (rate * time).sin_cos();
+            Contact {
+                touch: Touch::Sliding,
+                position: [RADIUS * cos, RADIUS * sin],
+                normal_force,
+                ..Contact::NONE
+            }
+        }
+    }
+
+    /// Sites that move so for 10 s while the surface turns at `SPEED`.
+    fn seen(sites: &[&dyn Fn(f64) -> Contact]) -> LateralMeasures {
+        let sampling = Sampling::new(200.0, 0.0);
+        let timed = (2000, 2.0);
+        let mut watch = WallWatch::new(Rules::USUAL, sites.len(), SPEED, sampling, timed);
+        for step in 0..timed.0 {
+            let time = sampling.time_of(step);
+            let contacts: Vec<Contact> = sites.iter().map(|site| site(time)).collect();
+            watch.see(&contacts);
+        }
+        watch.measures()
+    }
+
+    #[test]
+    fn what_creeps_along_its_wall_lies_there() {
+        for rate in [1e-4, -1e-4, 2e-3, 0.0, 0.09, -0.09] {
+            let found = seen(&[&along_the_wall(rate * SPEED, 6e-4)]);
+            assert_eq!(found.regime, LateralRegime::TransientContact, "{rate}");
+            assert_eq!(found.contact_fraction, 1.0);
+            assert!((found.precession_rate - rate * SPEED).abs() <= 1e-6 * rate.abs());
+        }
+        for (rate, regime) in [
+            (0.11, LateralRegime::ForwardWhirl),
+            (1.0, LateralRegime::ForwardWhirl),
+            (-0.11, LateralRegime::BackwardWhirl),
+            (-9.0, LateralRegime::BackwardWhirl),
+        ] {
+            let found = seen(&[&along_the_wall(rate * SPEED, 6e-4)]);
+            assert_eq!(found.regime, regime, "{rate}");
+        }
+    }
+
+    /// The swing of a string that dies away along its wall: fast at first, and at the end
+    /// no longer.
+    #[test]
+    fn whirl_that_has_died_away_has_another_label() {
+        let dying = |time: f64| along_the_wall(-9.0 * SPEED * (-time).exp(), 6e-4)(1.0);
+        let found = seen(&[&dying]);
+        assert_eq!(found.regime, LateralRegime::TransientContact);
+    }
+
+    #[test]
+    fn a_site_that_whirls_decides_over_one_that_lies_longer() {
+        let leaves = |time: f64| match time.fract() < 0.2 {
+            true => Contact {
+                normal_force: 0.0,
+                touch: Contact::NONE.touch,
+                ..along_the_wall(-20.0, 0.0)(time)
+            },
+            false => along_the_wall(-20.0, 300.0)(time),
+        };
+        let found = seen(&[&leaves, &along_the_wall(1e-4, 6e-4)]);
+        assert_eq!(found.regime, LateralRegime::BackwardWhirl);
+        assert_eq!(found.site, 0);
+        assert!((found.contact_fraction - 0.8).abs() < 0.01);
     }
 }

@@ -27,6 +27,12 @@ pub struct Rules {
     pub mostly: f64,
     /// The part of the closing window that a bit which bounces is off bottom.
     pub off_bottom: f64,
+    /// A whirling site goes round this many times at least while the surface turns once. An
+    /// eccentric mass takes it round once, rolling and sliding whirl go round faster, both held by
+    /// the forces of their rate. A string that lies on its wall, with a free swing too slow to take it
+    /// off, creeps along it with millinewtons: on random strings by 0.002 turns at most, where
+    /// whirl that lasts has 1.8 or more (`val_no_simulated_whirl_has_less_friction_than_it_needs`).
+    pub least_turns: f64,
     /// A bit that turns for this part of what it remembers, in per cent, may turn for
     /// ever: a wave has come and gone several times.
     pub turning_for: usize,
@@ -50,6 +56,7 @@ impl Rules {
         repeated: 3,
         mostly: 0.5,
         off_bottom: 1e-3,
+        least_turns: 0.1,
         turning_for: 10,
         settling_tolerance: 1e-2,
         window: 0.25,

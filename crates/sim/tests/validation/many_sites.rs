@@ -14,6 +14,7 @@ use problems::pipes::STEEL;
 use problems::wells::{Draw, Well};
 use sim::excitation::least_impulse;
 use sim::steady_whirl::{MOST_FRICTION, WhirlTogether};
+use sim::watch::rules::Rules;
 use sim::{
     Impulse, Lateral, LateralRegime, Sampling, Scene, Simulator, SitesWhirl, Stopping, Timing,
     Wall, WhirlingSite, WhirlingSites,
@@ -337,10 +338,13 @@ impl Shaken {
             };
             let outcome = simulator.simulate(&scene, Stopping::Full, None).unwrap();
             let found = outcome.lateral().unwrap();
-            // A bent string may lean on its walls while it straightens, for minutes, and friction
-            // then takes it round a little; that is no steady whirl.
-            let goes_round = found.precession_rate.abs() * CLOSING_WINDOW > TAU;
-            found.regime == LateralRegime::BackwardWhirl && goes_round
+            // Some lean on their walls while they straighten, for minutes, and friction takes them
+            // round a little, which is no whirl.
+            if found.contact_fraction > Rules::USUAL.mostly {
+                let turns = (found.precession_rate / self.surface_speed).abs();
+                assert!(!(0.005..1.0).contains(&turns), "{turns} turns in one");
+            }
+            found.regime == LateralRegime::BackwardWhirl
         });
         whirls.collect()
     }

@@ -16,8 +16,8 @@ use campaign::engine::{Case, MethodSystem, Recipe};
 /// Clearance of a place that is hit but is no contact, m: no string comes so far.
 const OUT_OF_REACH: f64 = 1e6;
 
-/// A whirl goes round this often in the closing window at least: what leans on the wall and creeps
-/// along it has the label of whirl, too.
+/// A whirl goes round this often in the closing window at least: one that slides ever more slowly
+/// has its label until it all but stops ([`sim::watch::rules::Rules::least_turns`]).
 const LEAST_TURNS: f64 = 1.0;
 
 /// Whirl that lasts to the end of a case.

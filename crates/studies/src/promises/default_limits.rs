@@ -11,23 +11,19 @@
 use anyhow::{Context, Result};
 use linear::Method;
 use linear::estimates::{sampling_frequency, torsional_travel_time};
-use linear::sampling::{self, FEWEST_STEPS};
+use linear::sampling;
 use linear::waves::lattice::Lattice;
 
 use super::finder::{Finder, HALVED, longest};
 use super::problem::{Begins, Motion, Problem};
 use super::{of_each, stick_slip};
+use crate::stick_slip::FINE_STEPS;
 use campaign::accuracy::bisection::Truth;
 use campaign::engine::Recipe;
 use campaign::plan::{Setting, Sweep};
 
 /// An exact limit tests others where it is known to this part of itself.
 const CERTAIN: f64 = 0.025;
-
-/// Steps per travel time of two systems that limits in mud are compared with: 8 and 16 times the
-/// fewest of the rule, for any string alike. No waveguide has loss that depends on
-/// frequency.
-const FINE: [f64; 2] = [8.0 * FEWEST_STEPS, 16.0 * FEWEST_STEPS];
 
 /// The coarser of them looks for the limit within this factor of Eq. 74's, and above it, where the
 /// bit sticks there, within the square: as on waveguides.
@@ -160,7 +156,7 @@ fn in_fine_steps(problem: &Problem) -> Result<Truth> {
         let frequency = sampling::frequency(&sweep.setting.string, steps);
         finder(problem, &sweep, &sweep.setting.sampled_at(frequency), low)
     };
-    let ([coarse, fine], high) = (FINE, guess * ABOUT);
+    let ([coarse, fine], high) = (FINE_STEPS, guess * ABOUT);
     let coarse = at(coarse)?;
     let one = (coarse.between([low, high])).or_else(|| coarse.between([low, high * ABOUT]));
     let one = one.context("there is no limit")?;

@@ -10,7 +10,7 @@ use linear::{Drillstring, Method, Section};
 
 use super::families::{Approach, Cell};
 use super::verdict::Findings;
-use crate::scenes::shipped;
+use crate::scenes::{Loss, shipped, shipped_with};
 use campaign::engine::Recipe;
 
 /// When the displacement after an impulse is compared, s.
@@ -22,8 +22,8 @@ const CHAIN_FREQUENCY: f64 = 100.0;
 
 /// How much of the displacement at the bit is left 9 s after an impulse, against
 /// quadrature.
-pub fn tail(cell: &Cell, method: Method) -> Result<Findings> {
-    let setting = (shipped("fig12.toml")?.setting).sampled_at(cell.sampling_frequency);
+pub fn tail(cell: &Cell, method: Method, loss: Loss) -> Result<Findings> {
+    let setting = (shipped_with("fig12.toml", loss)?.setting).sampled_at(cell.sampling_frequency);
     let build = |method| Recipe::alone(&setting, method, false, COMPARED_AT).build();
     let (found, reference) = (build(method)?, build(Method::Quadrature)?);
     let [found_last, true_last] = [&found, &reference].map(|system| {

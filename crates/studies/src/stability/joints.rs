@@ -5,12 +5,12 @@ use linear::Method;
 
 use super::families::Cell;
 use super::verdict::Findings;
-use crate::scenes::shipped;
+use crate::scenes::{Loss, shipped_with};
 use crate::stick_slip;
 use campaign::engine::Recipe;
 use campaign::plan::Sweep;
 
-/// The string, where its limit is looked for, and where it is by exact waves, rpm.
+/// The string, where its limit is looked for, and where it is, rpm.
 pub struct Joints {
     sweep: Sweep,
     bracket: [f64; 2],
@@ -21,12 +21,12 @@ impl Joints {
     /// The same for all cells.
     ///
     /// # Errors
-    /// Where the exact limit is not found.
-    pub fn new() -> Result<Self> {
-        let sweep = shipped("jointed_collar.toml")?;
+    /// Where its limit is not found.
+    pub fn new(loss: Loss) -> Result<Self> {
+        let sweep = shipped_with("jointed_collar.toml", loss)?;
         Ok(Self {
             bracket: stick_slip::bracket(&sweep)?,
-            exact: stick_slip::exact_limit(&sweep)?.limit,
+            exact: stick_slip::true_limit(&sweep, loss)?.limit,
             sweep,
         })
     }

@@ -23,6 +23,7 @@ pub use verdict::{Findings, Symptom, explanation};
 use anyhow::{Context, Result};
 use rayon::prelude::*;
 
+use crate::scenes::Loss;
 use families::Approach;
 use joints::Joints;
 
@@ -39,13 +40,13 @@ pub struct Entry {
 ///
 /// # Errors
 /// Where a scene or a linear system cannot be built.
-pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
+pub fn run(cells: &[Cell], loss: Loss, done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
     let has_joints = cells.iter().any(|cell| cell.family == Family::Joints);
-    let joints = has_joints.then(Joints::new).transpose()?;
+    let joints = has_joints.then(|| Joints::new(loss)).transpose()?;
     let groups: Vec<&[Cell]> = cells.chunk_by(Cell::shares_responses).collect();
     let found: Vec<Result<Vec<Findings>>> = (groups.par_iter().with_max_len(1))
         .map(|group| {
-            let findings = examine(group, joints.as_ref())?;
+            let findings = examine(group, loss, joints.as_ref())?;
             group.iter().for_each(|_| done());
             Ok(findings)
         })
@@ -58,14 +59,16 @@ pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
 }
 
 /// Cells of the same responses.
-fn examine(group: &[Cell], joints: Option<&Joints>) -> Result<Vec<Findings>> {
+fn examine(group: &[Cell], loss: Loss, joints: Option<&Joints>) -> Result<Vec<Findings>> {
     let Approach::Method(method) = group[0].approach else {
         return group.iter().map(bending::chain).collect();
     };
     match group[0].family {
-        Family::Stiffness | Family::Sites | Family::LongWhirl => whirl::examine(group, method),
+        Family::Stiffness | Family::Sites | Family::LongWhirl => {
+            whirl::examine(group, method, loss)
+        }
         Family::Tail => (group.iter())
-            .map(|cell| bending::tail(cell, method))
+            .map(|cell| bending::tail(cell, method, loss))
             .collect(),
         Family::Joints => {
             let joints = joints.context("the string with joints is there")?;
@@ -74,7 +77,7 @@ fn examine(group: &[Cell], joints: Option<&Joints>) -> Result<Vec<Findings>> {
                 .collect()
         }
         _ => (group.iter())
-            .map(|cell| sticking::examine(cell, method))
+            .map(|cell| sticking::examine(cell, method, loss))
             .collect(),
     }
 }

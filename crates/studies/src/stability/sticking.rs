@@ -8,7 +8,7 @@ use sim::{Stopping, diagnosis};
 use super::families::Cell;
 use super::loads;
 use super::verdict::Findings;
-use crate::scenes::shipped;
+use crate::scenes::{Loss, shipped_with};
 use campaign::accuracy::trial::outcome;
 use campaign::engine::Recipe;
 use campaign::plan::{Setting, Sweep};
@@ -22,8 +22,8 @@ const HELD_FOR: f64 = 40.0;
 const SETTLING_TIMES: f64 = 2.5;
 
 /// Holds the bit, lets it stick and slip, and hangs the worst load on it.
-pub fn examine(cell: &Cell, method: Method) -> Result<Findings> {
-    let sweep = shipped("fig08b.toml")?;
+pub fn examine(cell: &Cell, method: Method, loss: Loss) -> Result<Findings> {
+    let sweep = shipped_with("fig08b.toml", loss)?;
     let setting = setting_of(&sweep, cell)?;
     let settled = SETTLING_TIMES * torsional_settling_time(&setting.string);
     let by_scene = (HELD_FOR.max(settled) * cell.sampling_frequency) as usize;

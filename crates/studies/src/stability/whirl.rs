@@ -9,7 +9,7 @@ use sim::{LateralRegime, Outcome, SteadyWhirl, Stopping, Trajectory};
 use super::families::Cell;
 use super::loads;
 use super::verdict::Findings;
-use crate::scenes::shipped;
+use crate::scenes::{Loss, shipped_with};
 use campaign::accuracy::trial::case;
 use campaign::engine::{Case, Recipe};
 use campaign::plan::{Setting, Sweep};
@@ -17,11 +17,11 @@ use campaign::quantities::Axis;
 use limits::rolling_whirls;
 
 /// Cells that differ in their wall alone.
-pub fn examine(group: &[Cell], method: Method) -> Result<Vec<Findings>> {
+pub fn examine(group: &[Cell], method: Method, loss: Loss) -> Result<Vec<Findings>> {
     let first = &group[0];
     let sweep = match first.site_spacing {
-        Some(_) => shipped("two_sites.toml")?,
-        None => shipped("fig12.toml")?,
+        Some(_) => shipped_with("two_sites.toml", loss)?,
+        None => shipped_with("fig12.toml", loss)?,
     };
     let place = Axis::from_name("site_0_distance_from_bit_m").zip(first.site_spacing);
     let setting = sweep.setting_with(place.into_iter())?;

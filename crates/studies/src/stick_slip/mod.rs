@@ -2,14 +2,17 @@
 
 pub mod exact;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
+use linear::Method;
 use linear::deviation::exact_undershoot;
 use linear::estimates::stick_slip_speed_limit;
+use linear::sampling::{self, FEWEST_STEPS};
 use sim::{Stopping, TorsionRegime};
 
+use crate::scenes::Loss;
 use campaign::accuracy::bisection::{Truth, limit_between, nearest};
 use campaign::accuracy::trial;
-use campaign::engine::MethodSystem;
+use campaign::engine::{MethodSystem, Recipe};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::records::to_rpm;
@@ -35,6 +38,34 @@ pub fn equation_limit(sweep: &Sweep) -> Result<f64> {
 /// Where the string has none.
 pub fn exact_limit(sweep: &Sweep) -> Result<Truth> {
     exact::truth(sweep, equation_limit(sweep)?, exact::USUAL_PLACES)
+}
+
+/// Steps per travel time of two systems that limits in mud are compared with: 8 and 16 times the
+/// fewest of the rule, for any string alike. No waveguide has loss that depends on
+/// frequency.
+pub const FINE_STEPS: [f64; 2] = [8.0 * FEWEST_STEPS, 16.0 * FEWEST_STEPS];
+
+/// The limit, rpm: exact, or in mud by `held` in ever finer steps.
+///
+/// # Errors
+/// Where the string has none.
+pub fn true_limit(sweep: &Sweep, loss: Loss) -> Result<Truth> {
+    if loss == Loss::Constants {
+        return exact_limit(sweep);
+    }
+    let bracket = bracket(sweep)?;
+    let longest = longest_time(sweep, bracket)?;
+    let [coarse, fine] = FINE_STEPS.map(|steps| {
+        let frequency = sampling::frequency(&sweep.setting.string, steps);
+        let setting = sweep.setting.sampled_at(frequency);
+        Recipe::of(sweep, &setting, Method::Held, longest).build()
+    });
+    let coarse = limit(sweep, &coarse?, bracket).context("there is no limit")?;
+    let fine = limit_near(sweep, &fine?, coarse).context("the limit is ragged")?;
+    Ok(Truth {
+        limit: fine,
+        uncertainty: (fine / coarse - 1.0).abs(),
+    })
 }
 
 /// Where a limit is looked for about that of Eq. 74, rpm.

@@ -11,21 +11,21 @@ use super::measure::Measure;
 use super::part::Part;
 use super::row::Reference;
 use super::torsion;
-use crate::scenes::shipped;
+use crate::scenes::{Loss, shipped_with};
 use crate::stick_slip;
 
 /// The string, with what the measures wanted should be.
 ///
 /// # Errors
 /// Where a reference cannot be computed.
-pub fn part(wanted: &[Measure]) -> Result<Part> {
-    let sweep = shipped("jointed_collar.toml")?;
+pub fn part(wanted: &[Measure], loss: Loss) -> Result<Part> {
+    let sweep = shipped_with("jointed_collar.toml", loss)?;
     let mut references = BTreeMap::new();
     for &measure in wanted {
         let reference = if measure == Measure::JointedUndershoot {
             Reference::exact(exact_undershoot(&sweep.setting.string)?)
         } else {
-            let truth = stick_slip::exact_limit(&sweep)?;
+            let truth = stick_slip::true_limit(&sweep, loss)?;
             Reference {
                 value: torsion::per_torque(&sweep, truth.limit).context("the bit has no torque")?,
                 uncertainty: truth.uncertainty,

@@ -12,7 +12,7 @@ use super::history::{History, Input};
 use super::measure::Measure;
 use super::part::Part;
 use super::row::Reference;
-use crate::scenes::shipped;
+use crate::scenes::{Loss, shipped_with};
 use campaign::accuracy::bisection::limit_between;
 use campaign::accuracy::trial;
 use campaign::engine::MethodSystem;
@@ -37,8 +37,8 @@ const REFERENCE_ELEMENTS: usize = 40;
 ///
 /// # Errors
 /// Where a reference cannot be computed.
-pub fn part(wanted: &[Measure], highest: f64) -> Result<Part> {
-    let sweep = shipped("fig12.toml")?;
+pub fn part(wanted: &[Measure], highest: f64, loss: Loss) -> Result<Part> {
+    let sweep = shipped_with("fig12.toml", loss)?;
     let lateral = sweep.setting.lateral.as_ref();
     let lateral = lateral.context("fig12 has a wall")?;
     let impulse = lateral.impulses.first().context("fig12 has an impulse")?;

@@ -15,15 +15,15 @@ mod torsion;
 mod tube;
 mod tube_waves;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 
 pub use analysis::{Cheapest, PaperRatio, cheapest, front, orders};
 pub use configuration::{Configuration, configurations};
-pub use measure::Measure;
+pub use measure::{Measure, MeasureSubject};
 pub use paper::PaperSteps;
 pub use row::{CASE_SECONDS, CASES, TradeoffRow};
 
-use measure::MeasureSubject;
+use crate::scenes::Loss;
 use part::Part;
 
 /// Sampling frequencies compared, Hz.
@@ -36,10 +36,12 @@ pub const LADDER: [f64; 10] = [
 /// is done.
 ///
 /// # Errors
-/// Where a reference or a configuration cannot be built.
+/// Where a reference or a configuration cannot be built: waves of the tube are in closed form with
+/// constants alone.
 pub fn study(
     configurations: &[Configuration],
     wanted: &[Measure],
+    loss: Loss,
     tell: &dyn Fn(),
 ) -> Result<Vec<TradeoffRow>> {
     let frequencies = configurations.iter().map(|one| one.sampling_frequency);
@@ -57,10 +59,11 @@ pub fn study(
             continue;
         }
         match subject {
-            MeasureSubject::Torsion => parts.push(torsion::part(&wanted, highest)?),
-            MeasureSubject::Bending => parts.push(lateral::part(&wanted, highest)?),
+            MeasureSubject::Torsion => parts.push(torsion::part(&wanted, highest, loss)?),
+            MeasureSubject::Bending => parts.push(lateral::part(&wanted, highest, loss)?),
+            MeasureSubject::Tube if loss == Loss::Mud => bail!("the tube has no reference in mud"),
             MeasureSubject::Tube => parts.extend(tube::parts(&wanted)?),
-            MeasureSubject::Jointed => parts.push(jointed::part(&wanted)?),
+            MeasureSubject::Jointed => parts.push(jointed::part(&wanted, loss)?),
         }
     }
     let mut rows = Vec::new();

@@ -13,7 +13,7 @@ use super::history::{History, Input};
 use super::measure::Measure;
 use super::part::Part;
 use super::row::Reference;
-use crate::scenes::shipped;
+use crate::scenes::{Loss, shipped_with};
 use crate::stick_slip;
 use campaign::accuracy::methods::hilbert;
 use campaign::accuracy::trial;
@@ -47,8 +47,8 @@ const REFERENCE_TRANSFORM: f64 = 20.0;
 ///
 /// # Errors
 /// Where a reference cannot be computed.
-pub fn part(wanted: &[Measure], highest: f64) -> Result<Part> {
-    let sweep = shipped("fig08b.toml")?;
+pub fn part(wanted: &[Measure], highest: f64, loss: Loss) -> Result<Part> {
+    let sweep = shipped_with("fig08b.toml", loss)?;
     let (mut references, mut history) = (BTreeMap::new(), None);
     let mut simulated = Vec::new();
     for &measure in wanted {

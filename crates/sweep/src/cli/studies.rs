@@ -47,6 +47,10 @@ pub struct TradeoffArguments {
     /// What to measure, by name as in tradeoff.csv [default: everything]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_measure)]
     pub measures: Vec<Measure>,
+    /// The strings in viscous mud, of a material with loss: without the uniform tube, which has no
+    /// reference there
+    #[arg(long)]
+    pub in_mud: bool,
     /// Results folder
     #[arg(long, default_value = "results/tradeoff")]
     pub out: PathBuf,
@@ -67,6 +71,9 @@ pub struct StabilityArguments {
     /// Only these parts of the atlas; may be repeated
     #[arg(long, value_name = "FAMILY", value_delimiter = ',')]
     pub family: Vec<Family>,
+    /// The strings in viscous mud, of a material with loss: without the strings of other sections
+    #[arg(long)]
+    pub in_mud: bool,
     /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,

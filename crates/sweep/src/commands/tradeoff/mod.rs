@@ -17,7 +17,8 @@ use crate::cli::TradeoffArguments;
 use chart::chart;
 use description::{describe_cheapest, describe_orders};
 use results::files::write_atomically;
-use studies::tradeoff::{Measure, PaperSteps, configurations, study};
+use studies::scenes::Loss;
+use studies::tradeoff::{Measure, MeasureSubject, PaperSteps, configurations, study};
 use table::table;
 
 /// Ladders within these are sampled frequencies, Hz.
@@ -27,15 +28,24 @@ const LADDER_RANGE: std::ops::RangeInclusive<f64> = 10.0..=20_480.0;
 pub fn tradeoff(arguments: &TradeoffArguments, terminal: Terminal) -> Result<Status> {
     use_threads(arguments.jobs, terminal)?;
     let ladder = ladder(&arguments.ladder)?;
+    let loss = Loss::in_mud(arguments.in_mud);
+    let has_reference =
+        |measure: &Measure| loss == Loss::Constants || measure.subject() != MeasureSubject::Tube;
     let measures = if arguments.measures.is_empty() {
-        Measure::all().to_vec()
+        Measure::all().into_iter().filter(has_reference).collect()
     } else {
         unique(&arguments.measures)
     };
+    if let Some(measure) = measures.iter().find(|measure| !has_reference(measure)) {
+        bail!(UsageError(format!(
+            "--in-mud: {} has no reference in mud: leave it out",
+            measure.name()
+        )));
+    }
     make_folder(&arguments.out)?;
     let configurations = configurations(&ladder);
     let progress = Progress::new(configurations.len(), 0, arguments.quiet, terminal);
-    let studied = study(&configurations, &measures, &|| progress.tick());
+    let studied = study(&configurations, &measures, loss, &|| progress.tick());
     progress.finish();
     let rows = studied?;
     write_atomically(&arguments.out.join("tradeoff.csv"), &table(&rows)?)?;
