@@ -59,6 +59,8 @@ fn a_page_simulates_by_a_method_that_is_built_within_seconds() {
         let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
         let data = html.split("id=\"data\">").nth(1).unwrap();
         let data: Value = serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();
+        let why = data["why"].as_str().unwrap();
+        assert!(why.contains("the string is stepped in "), "{why}");
         [data["method"].clone(), data["slow"].clone()]
     };
     assert_eq!(

@@ -122,6 +122,32 @@ fn replaced(text: &str, piece: &str) -> String {
     whole.to_string()
 }
 
+/// A dependency whose package has another name is not found without it.
+#[test]
+fn the_libraries_are_taken_by_the_names_of_their_packages() {
+    let page = std::fs::read_to_string(root().join("docs/extending.md")).unwrap();
+    let piece = pieces(&page)
+        .into_iter()
+        .find(|piece| piece.contains("[dependencies]"));
+    let table: toml::Table = piece.unwrap().parse().unwrap();
+    let dependencies = table["dependencies"].as_table().unwrap();
+    assert!(!dependencies.is_empty());
+    for (name, dependency) in dependencies {
+        let path = dependency["path"]
+            .as_str()
+            .unwrap()
+            .trim_start_matches("…/");
+        let manifest = std::fs::read_to_string(root().join(path).join("Cargo.toml")).unwrap();
+        let manifest: toml::Table = manifest.parse().unwrap();
+        let package = dependency.get("package").and_then(|it| it.as_str());
+        assert_eq!(
+            package.unwrap_or(name),
+            manifest["package"]["name"].as_str().unwrap()
+        );
+        assert_eq!(name, manifest["lib"]["name"].as_str().unwrap());
+    }
+}
+
 #[test]
 fn every_snippet_gives_what_its_page_prints() {
     let mut pages = vec![PathBuf::from("README.md")];

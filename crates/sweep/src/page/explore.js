@@ -22,6 +22,9 @@ const changesInWords = () =>
 /** Of a method that has a lattice of waves to build in each piece of the string. */
 const SLOW = ` Linear systems by ${data.slow} take minutes to build in a page, of a string with friction along it.`;
 
+/** Why it takes long, where that is known. */
+const waiting = (method) => (method === data.slow ? SLOW : data.why ? ` ${data.why}` : "");
+
 /** Asks for the case as it now is; of several wishes the last is met. */
 async function redraw(quick) {
   wanted = { quick };
@@ -31,7 +34,7 @@ async function redraw(quick) {
     const { quick: isQuick } = wanted;
     wanted = null;
     const method = isQuick ? data.quick : data.method;
-    const slow = setTimeout(() => { byId("status").textContent = `Simulating …${method === data.slow ? SLOW : ""}`; }, 250);
+    const slow = setTimeout(() => { byId("status").textContent = `Simulating …${waiting(method)}`; }, 250);
     const request = { case: data.case, set: changes(), method, quick: isQuick };
     try {
       const answer = await engine.simulate(request);
