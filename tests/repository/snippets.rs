@@ -30,7 +30,7 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 16] = [
+const SNIPPETS: [Snippet; 17] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
     snippet(
@@ -68,6 +68,11 @@ const SNIPPETS: [Snippet; 16] = [
         "docs/well.md",
         "sites_to_m",
         After::Base("well_12in_contacts.toml"),
+    ),
+    snippet(
+        "docs/well.md",
+        "well_b_survey.csv",
+        After::Base("well_b_drilling.toml"),
     ),
 ];
 

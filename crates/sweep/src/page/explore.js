@@ -22,8 +22,14 @@ const changesInWords = () =>
 /** Of a method that has a lattice of waves to build in each piece of the string. */
 const SLOW = ` Linear systems by ${data.slow} take minutes to build in a page, of a string with friction along it.`;
 
-/** Why it takes long, where that is known. */
-const waiting = (method) => (method === data.slow ? SLOW : data.why ? ` ${data.why}` : "");
+const BUILT = " The linear system of this string is built first; then its cases are quick.";
+
+/** Why it takes long, where that is known: at first, and when what was changed last is of the string, there is no linear system. */
+const waiting = (method) => {
+  if (method === data.slow) return SLOW;
+  if (data.why) return ` ${data.why}`;
+  return !changed || control(changed).of_string ? BUILT : "";
+};
 
 /** Asks for the case as it now is; of several wishes the last is met. */
 async function redraw(quick) {
