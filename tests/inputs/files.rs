@@ -89,6 +89,10 @@ fn surveys_are_read_as_people_have_them() {
         "md_m;inc;azi_deg\nm;deg;deg\n0;0;0\n1000;20;0\n2500;30;90\n",
         "# surveyed twice\n#MD (m)\tInc (deg)\tAzi (deg)\n0\t0\t0\n1000\t20\t0\n2500\t30\t90\n",
         "Meas. Depth (m);Inc (deg);Azi (deg)\n0,0;0;0\n1000,0;20,0;0\n2500;30;90\n",
+        "Company;A\nSurvey report\n\nMD (usft);Inc (\u{b0});Azi (azimuth) (\u{b0})\n0,00;0,00;0,00\n\
+         3.280,83;20,0;0\n8.202,08;30;90\n",
+        "MD (ftKB),Inc (deg),Azi (deg)\n0,0,0\n\"3,280.84\",20,0\n\"8,202.10\",30,90\n",
+        "MD (mRT)\tInc (deg)\tAzi (deg)\n0\t0\t0\n1 000,0\t20\t0\n2 500,0\t30\t90\n",
         "MD (km),Drift (rad),Direction (deg)\n0,0,0\n1,0.34906585,0\n2.5,0.523598776,90\n",
     ] {
         let (found, answer) = surveyed("survey.csv", text.as_bytes());
@@ -101,6 +105,33 @@ fn surveys_are_read_as_people_have_them() {
             .errors
             .contains("`md` names no unit: its numbers are taken to be in m");
         assert_eq!(reported, !has_units, "{}", answer.errors);
+    }
+}
+
+/// By `held` this would take minutes to build, by the others a moment.
+#[test]
+fn a_method_that_takes_long_for_friction_along_the_string_is_noted() {
+    for (methods, note) in [
+        ("[\"quadrature\", \"finite-element\"]", None),
+        (
+            "[\"quadrature\", \"held\"]",
+            Some("note: by held the string rubs by responses between all of its 20 pieces"),
+        ),
+    ] {
+        let place = Workplace::with_small(&RUBS.replace("[\"quadrature\"]", methods));
+        place.write(
+            "survey.csv",
+            "md_m,inc_deg,azi_deg\n0,0,0\n1000,20,0\n2500,30,90\n",
+        );
+        let answer = place.sweep(&["run", "small.toml", "--dry-run"]);
+        let found = answer
+            .errors
+            .contains("the string rubs by responses between all");
+        assert_eq!(found, note.is_some(), "{answer:?}");
+        assert!(
+            answer.errors.contains(note.unwrap_or_default()),
+            "{answer:?}"
+        );
     }
 }
 
@@ -118,6 +149,15 @@ fn surveys_that_may_mean_two_things_are_refused() {
         (
             "TVD (m),Inc,Azi\n0,0,0\n2500,30,0\n",
             "survey.csv:1: there is no column with measured depth",
+        ),
+        // The widest line is the headings, and its rows are not what is wrong with it.
+        (
+            "Company;A\nSurvey\nTVD (m);Inc;Azi\n0;0;0\n2500;30\n",
+            "survey.csv:3: there is no column with measured depth",
+        ),
+        (
+            "MD (yd),Inc,Azi\nzero,0,0\n2500,30,0\n",
+            "survey.csv:1: `MD (yd)`: `yd` is not one of the known units: m, ft,",
         ),
         (
             "MD (m),Inc,Azi\n0,0,0\n1000,-999.25,0\n2500,30,0\n",

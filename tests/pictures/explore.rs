@@ -59,6 +59,12 @@ fn a_page_simulates_by_a_method_that_is_built_within_seconds() {
         let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
         let data = html.split("id=\"data\">").nth(1).unwrap();
         let data: Value = serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();
+        let why = data["why"].as_str().unwrap();
+        assert!(why.contains("the string is stepped in "), "{why}");
+        for control in data["controls"].as_array().unwrap() {
+            let of_string = control["axis"] == "torsional_damping_nms_rad_m";
+            assert_eq!(control["of_string"], of_string, "{control}");
+        }
         [data["method"].clone(), data["slow"].clone()]
     };
     assert_eq!(

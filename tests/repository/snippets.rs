@@ -77,6 +77,11 @@ const SNIPPETS: [Snippet; 17] = [
         "sites_to_m",
         After::Base("well_12in_contacts.toml"),
     ),
+    snippet(
+        "docs/well.md",
+        "well_b_survey.csv",
+        After::Base("well_b_drilling.toml"),
+    ),
 ];
 
 const fn snippet(page: &'static str, known_by: &'static str, after: After) -> Snippet {
@@ -128,6 +133,32 @@ fn replaced(text: &str, piece: &str) -> String {
         }
     }
     whole.to_string()
+}
+
+/// A dependency whose package has another name is not found without it.
+#[test]
+fn the_libraries_are_taken_by_the_names_of_their_packages() {
+    let page = std::fs::read_to_string(root().join("docs/extending.md")).unwrap();
+    let piece = pieces(&page)
+        .into_iter()
+        .find(|piece| piece.contains("[dependencies]"));
+    let table: toml::Table = piece.unwrap().parse().unwrap();
+    let dependencies = table["dependencies"].as_table().unwrap();
+    assert!(!dependencies.is_empty());
+    for (name, dependency) in dependencies {
+        let path = dependency["path"]
+            .as_str()
+            .unwrap()
+            .trim_start_matches("…/");
+        let manifest = std::fs::read_to_string(root().join(path).join("Cargo.toml")).unwrap();
+        let manifest: toml::Table = manifest.parse().unwrap();
+        let package = dependency.get("package").and_then(|it| it.as_str());
+        assert_eq!(
+            package.unwrap_or(name),
+            manifest["package"]["name"].as_str().unwrap()
+        );
+        assert_eq!(name, manifest["lib"]["name"].as_str().unwrap());
+    }
 }
 
 #[test]

@@ -76,12 +76,39 @@ impl Lines {
     }
 }
 
-/// Warns of something.
+/// What its modules are called.
+const PACKAGE: &str = "drillstring";
+
+/// Warns of something, at the line of the user's that called the package: its own lines say nothing
+/// to a reader, and a warning is shown once for each line.
 ///
 /// # Errors
 /// Where warnings are errors.
 pub fn warn(py: Python<'_>, words: impl Display) -> PyResult<()> {
     let message = std::ffi::CString::new(words.to_string().replace('\0', " "));
     let category = py.get_type::<DrillstringWarning>();
-    PyErr::warn(py, &category, &message.unwrap_or_default(), 1)
+    PyErr::warn(
+        py,
+        &category,
+        &message.unwrap_or_default(),
+        own_frames(py)? + 1,
+    )
+}
+
+/// How many of the innermost frames of Python are of the package itself.
+fn own_frames(py: Python<'_>) -> PyResult<i32> {
+    let mut frame = py.import("sys")?.call_method0("_getframe")?;
+    let mut count = 0;
+    while !frame.is_none() {
+        let module = frame
+            .getattr("f_globals")?
+            .call_method1("get", ("__name__", ""))?;
+        let module: String = module.extract()?;
+        if module != PACKAGE && !module.starts_with(&format!("{PACKAGE}.")) {
+            break;
+        }
+        count += 1;
+        frame = frame.getattr("f_back")?;
+    }
+    Ok(count)
 }

@@ -83,8 +83,9 @@ def test_a_method_that_chatters_is_refused_and_allowed_with_a_warning():
     )
     with pytest.raises(ds.SweepFileError, match="not positive-real"):
         sweep.run()
-    with pytest.warns(ds.DrillstringWarning, match="not positive-real"):
+    with pytest.warns(ds.DrillstringWarning, match="not positive-real") as warned:
         assert sweep.run(allow_unstable=True).rows == 1
+    assert {warning.filename for warning in warned} == {__file__}
 
 
 def test_what_takes_too_much_memory_is_refused_before_it_is_taken():

@@ -173,3 +173,8 @@ def test_a_history_has_the_panels_of_the_command(command, tmp_path, name):
     for ax in axes:
         assert ax.get_ylabel() in said
     assert axes[-1].get_xlabel() == "Time t (s)"
+
+
+def test_a_motion_without_labels_is_refused(table):
+    with pytest.raises(ds.DrillstringError, match="no case has a label for 'lateral': there are"):
+        table.plot("lateral")

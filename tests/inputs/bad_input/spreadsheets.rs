@@ -61,9 +61,9 @@ fn an_export_that_may_mean_two_things_is_refused_with_the_cause() {
             "weight_on_bit_kn: `1,500` may be 1.5 or 1500: write it without a comma".to_owned(),
         ),
         (
-            format!("{semicolons}0,1;1.500,5\n"),
+            format!("{semicolons}0,1;15.00,5\n"),
             2,
-            "weight_on_bit_kn: `1.500,5` is not a number".to_owned(),
+            "weight_on_bit_kn: `15.00,5` is not a number".to_owned(),
         ),
         (
             format!("{semicolons}0,1;50;3\n"),

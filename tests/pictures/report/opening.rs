@@ -119,6 +119,28 @@ fn what_turns_in_the_hole_has_a_line_each() {
     );
 }
 
+#[test]
+fn the_mud_is_named_by_density_and_viscosity() {
+    for (mud, units, words) in [
+        (
+            "density_kg_m3 = 1200\nviscosity_cp = 20",
+            "si",
+            "Mud: 1200 kg/m³, 20 cP.",
+        ),
+        (
+            "density_ppg = 10.5\nviscosity_cp = 20",
+            "field",
+            "Mud: 10.5 ppg, 20 cP.",
+        ),
+    ] {
+        let mud = format!("[mud]\n{mud}\n[well]\nhole_diameter_mm = 700\n\n[design]");
+        let text = with(SMALL, "[design]", &mud);
+        let place = Workplace::with_small(&format!("units = \"{units}\"\n{text}"));
+        succeeds(&place, &["run", "small.toml", "--out", "results"]);
+        assert_says(&opening(&place, "results"), &[words]);
+    }
+}
+
 /// Before any map; what is for who repeats it is folded.
 #[test]
 fn the_page_opens_in_words_and_folds_its_details() {

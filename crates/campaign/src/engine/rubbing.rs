@@ -2,20 +2,13 @@
 
 use anyhow::Result;
 use linear::{
-    Budget, BuildError, CascadePlan, ChannelRequest, Method, Request, ResponsePlan, Responses,
+    Budget, BuildError, CascadePlan, ChannelRequest, Request, ResponsePlan, Responses,
     SurfaceTorquePlan,
 };
 use sim::{Simulator, SimulatorPlan, SurfaceTorque, System};
 
 use super::system_plan::{Stepping, SystemPlan};
-use crate::plan::{Setting, StringFriction};
-
-/// Whether a method steps a string that rubs piece by piece, whose responses are short: where joining
-/// pieces and making responses of them may change places. By others responses of the whole string
-/// lead from each node to every other.
-pub(super) fn is_in_pieces(method: &Method) -> bool {
-    matches!(method, Method::Quadrature | Method::FiniteElement(_))
-}
+use crate::plan::{Setting, StringFriction, is_in_pieces};
 
 /// What responses of the whole string are built from, with torques at all nodes.
 pub(super) fn request(setting: &Setting, friction: &StringFriction, longest_time: f64) -> Request {

@@ -1,6 +1,7 @@
 //! What a person should know of a sweep before its work, though nothing is wrong with it.
 
 use super::hole::idle_tables;
+use super::string_friction::slow_methods_note;
 use super::sweep::Sweep;
 
 impl Sweep {
@@ -22,12 +23,16 @@ impl Sweep {
         .concat()
     }
 
-    /// How files other than the sweep file were read, and tables without effect.
+    /// How files other than the sweep file were read, and tables without effect; and methods
+    /// that take long where others do not.
     pub fn notes(&self) -> Vec<String> {
+        let friction = self.setting.friction.as_ref();
+        let of_methods = friction.and_then(|friction| slow_methods_note(&self.methods, friction));
         let of_sheet = self.sheet.iter().flat_map(|sheet| sheet.notes());
         of_sheet
             .chain(idle_tables(&self.content, &self.design))
             .chain(self.data.notes.iter().cloned())
+            .chain(of_methods)
             .collect()
     }
 }

@@ -52,6 +52,6 @@ pub use map::{MapMark, MapSettings};
 pub use setting::Setting;
 pub use sheet::POUND_PER_FOOT;
 pub use start::Starts;
-pub use string_friction::StringFriction;
+pub use string_friction::{StringFriction, is_in_pieces};
 pub use sweep::Sweep;
 pub use wall::WallSettings;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use linear::well::{PressedBy, QuasiStaticTwist, SideForce, least_pieces};
-use linear::{Drillstring, Mud, Sites};
+use linear::{Drillstring, Method, Mud, Sites};
 use sim::PipeFriction;
 
 use super::conditions::Conditions;
@@ -16,6 +16,9 @@ use crate::sweep_file::{FileContent, MethodName, PressedByName, Source, SweepFil
 
 /// More pieces than a string has joints make nothing better.
 const MOST_PIECES: usize = 2000;
+
+/// As many nodes of a string that rubs have some hundred responses between them.
+const MANY_NODES: usize = 10;
 
 /// Weights on bit at which pieces are held to a tolerance, where that is an axis: both ends, and
 /// between them, as what presses may vanish somewhere.
@@ -94,6 +97,29 @@ impl StringFriction {
     pub fn off_by(&self) -> f64 {
         self.off_by
     }
+}
+
+/// Whether a method steps a string that rubs piece by piece, whose responses are short: where joining
+/// pieces and making responses of them may change places. By others responses of the whole string
+/// lead from each node to every other.
+pub fn is_in_pieces(method: &Method) -> bool {
+    matches!(method, Method::Quadrature | Method::FiniteElement(_))
+}
+
+/// What to know of the methods of a string that rubs in many pieces, where one takes minutes to build
+/// that others do not.
+pub fn slow_methods_note(methods: &[Method], friction: &StringFriction) -> Option<String> {
+    let slow = methods.iter().filter(|method| !is_in_pieces(method));
+    let slow: Vec<&str> = slow.map(Method::name).collect();
+    let are_many = friction.nodes.len() >= MANY_NODES;
+    (are_many && !slow.is_empty()).then(|| {
+        format!(
+            "by {} the string rubs by responses between all of its {} pieces, which may take minutes \
+             to build; `quadrature` and `finite-element` step piece by piece, and begin at once",
+            slow.join(" and "),
+            friction.pieces
+        )
+    })
 }
 
 /// How the string of the file rubs, where it does.

@@ -88,12 +88,19 @@ impl<Q: Copy + PartialEq> Columns<Q> {
         }
         let missing = wanted.iter().find_map(|wanted| {
             let words = wanted.needed?;
-            columns.get(wanted.quantity).is_none().then_some(words)
+            columns
+                .get(wanted.quantity)
+                .is_none()
+                .then_some((wanted, words))
         });
-        match missing {
-            Some(words) => Err(format!("there is no column with {words}")),
-            None => Ok(columns),
-        }
+        let Some((missing, words)) = missing else {
+            return Ok(columns);
+        };
+        // One that is there in a unit that is not known is not missing, though its cells be no numbers.
+        let alike = headings
+            .iter()
+            .find_map(|heading| unit_mistake(heading, std::slice::from_ref(missing)));
+        Err(alike.unwrap_or_else(|| format!("there is no column with {words}")))
     }
 
     /// The quantity of a heading, if it has one, and the factor of its unit.
@@ -119,24 +126,7 @@ impl<Q: Copy + PartialEq> Columns<Q> {
                 return Ok(dimension.factor(unit).map(|factor| (wanted, factor)));
             }
         }
-        let name = &heading.text;
-        let units = || {
-            let alike = meanings().filter(|(_, meaning)| *meaning != Meaning::Other);
-            let units = alike.filter_map(|(wanted, _)| wanted.dimension);
-            units
-                .map(Dimension::units)
-                .collect::<Vec<_>>()
-                .join("; or ")
-        };
-        let wrong = meanings().find_map(|(_, meaning)| match meaning {
-            Meaning::OtherUnit(unit) => Some(format!(
-                "`{name}`: `{unit}` is not one of the known units: {}",
-                units()
-            )),
-            Meaning::NoUnit => Some(format!("`{name}` names no unit: {}", units())),
-            _ => None,
-        });
-        match wrong.filter(|_| is_numeric()) {
+        match unit_mistake(heading, wanted).filter(|_| is_numeric()) {
             Some(message) => Err(message),
             None => Ok(None),
         }
@@ -177,4 +167,27 @@ impl<Q: Copy + PartialEq> Columns<Q> {
     pub fn get(&self, quantity: Q) -> Option<&Column<Q>> {
         self.known.iter().find(|column| column.quantity == quantity)
     }
+}
+
+/// What is wrong with the unit of a heading that is named like something wanted.
+fn unit_mistake<Q>(heading: &Heading, wanted: &[Wanted<Q>]) -> Option<String> {
+    let meanings =
+        || (wanted.iter()).map(|wanted| (wanted, heading.meaning(wanted.names, wanted.dimension)));
+    let units = || {
+        let alike = meanings().filter(|(_, meaning)| *meaning != Meaning::Other);
+        let units = alike.filter_map(|(wanted, _)| wanted.dimension);
+        units
+            .map(Dimension::units)
+            .collect::<Vec<_>>()
+            .join("; or ")
+    };
+    let name = &heading.text;
+    meanings().find_map(|(_, meaning)| match meaning {
+        Meaning::OtherUnit(unit) => Some(format!(
+            "`{name}`: `{unit}` is not one of the known units: {}",
+            units()
+        )),
+        Meaning::NoUnit => Some(format!("`{name}` names no unit: {}", units())),
+        _ => None,
+    })
 }

@@ -14,10 +14,12 @@ pub struct Header {
     pub headings: Vec<Heading>,
     /// Lines that they take.
     pub height: usize,
+    /// Whether they have what is looked for; else they are what looks most like headings.
+    pub is_found: bool,
 }
 
 /// The headings among the first lines, comments included: the first row that can be, by `is_header`;
-/// else the first that has more than one cell.
+/// else the first of those with the most cells, for a title has fewer.
 pub fn find(lines: &[Line], is_header: &dyn Fn(&[Heading]) -> bool) -> Option<Header> {
     let first = lines.iter().take(LINES_SEARCHED).enumerate();
     let mut found = first.filter_map(|(place, line)| {
@@ -27,16 +29,21 @@ pub fn find(lines: &[Line], is_header: &dyn Fn(&[Heading]) -> bool) -> Option<He
     if let Some(header) = found.next() {
         return Some(header);
     }
-    // Else what looks most like one: a title has one cell.
-    let rows = || {
-        lines
-            .iter()
-            .enumerate()
-            .filter(|(_, line)| !line.is_comment)
-    };
-    let likely = rows().find(|(_, line)| line.filled() > 1);
-    let (place, line) = likely.or_else(|| rows().next())?;
-    Some(header(lines, place, line))
+    let rows = lines
+        .iter()
+        .enumerate()
+        .filter(|(_, line)| !line.is_comment);
+    // The last of equals is the greatest.
+    let likely = rows
+        .take(LINES_SEARCHED)
+        .collect::<Vec<_>>()
+        .into_iter()
+        .rev();
+    let (place, line) = likely.max_by_key(|(_, line)| line.filled())?;
+    Some(Header {
+        is_found: false,
+        ..header(lines, place, line)
+    })
 }
 
 /// The headings of a line, with units from the next where that has nothing else.
@@ -57,6 +64,7 @@ fn header(lines: &[Line], place: usize, line: &Line) -> Header {
         place,
         headings,
         height: 1 + usize::from(next.is_some()),
+        is_found: true,
     }
 }
 

@@ -64,7 +64,7 @@ impl Heading {
         let words = name.split('_').filter(|word| !word.is_empty());
         Self {
             text: text.to_owned(),
-            words: words.map(str::to_owned).collect(),
+            words: words.map(|word| in_full(word).to_owned()).collect(),
             unit: unit.map(plain),
         }
     }
@@ -155,6 +155,33 @@ impl Heading {
             (name.join("_"), unit.join("_"))
         })
     }
+}
+
+/// Words as people shorten them in headings; names of quantities have them in full.
+const SHORT: [(&str, &str); 18] = [
+    ("wt", "weight"),
+    ("wgt", "weight"),
+    ("lin", "linear"),
+    ("nom", "nominal"),
+    ("adj", "adjusted"),
+    ("approx", "approximate"),
+    ("avg", "average"),
+    ("ave", "average"),
+    ("dia", "diameter"),
+    ("diam", "diameter"),
+    ("len", "length"),
+    ("lgth", "length"),
+    ("jt", "joint"),
+    ("jts", "joints"),
+    ("meas", "measured"),
+    ("incl", "inclination"),
+    ("azim", "azimuth"),
+    ("corr", "corrected"),
+];
+
+fn in_full(word: &str) -> &str {
+    let known = SHORT.iter().find(|(short, _)| *short == word);
+    known.map_or(word, |(_, full)| full)
 }
 
 /// A text without brackets around it.

@@ -60,7 +60,7 @@ pub struct Table {
 
 impl Table {
     /// Reads a file, whose headings are the first row of those that can be, by `is_header`; else
-    /// the first row that has more than one cell.
+    /// the first row of those with the most cells.
     ///
     /// # Errors
     /// Why it cannot be read; follows the file's name.
@@ -91,7 +91,10 @@ impl Table {
         );
         let columns = header.headings.len();
         let rows = content.into_iter().map(|line| {
-            check_width(&line, columns, separator)?;
+            // Where the headings are not those of this table its rows are not what is wrong.
+            if header.is_found {
+                check_width(&line, columns, separator)?;
+            }
             let (line, mut cells) = (line.number, line.cells);
             cells.truncate(columns);
             Ok(Row {
@@ -195,5 +198,15 @@ mod tests {
         assert_eq!(table.rows[0].number(0), Ok(4.276));
         let table = self::table("md_m;inc_deg\n1.200;1,5\n9;2\n");
         assert!(table.rows[0].number(0).is_err());
+    }
+
+    /// Rows below titles of two cells are not refused for their width: it is the headings that are
+    /// not known, and those are the widest row.
+    #[test]
+    fn unknown_headings_are_what_is_reported_of_a_table_below_titles() {
+        let table = table("Company;A\nSurvey\nlength (m);angle (deg);azi (deg)\n0;1;2\n30;1\n");
+        assert_eq!(table.header_line, 3);
+        assert_eq!(table.headings.len(), 3);
+        assert_eq!(table.rows.len(), 2);
     }
 }

@@ -5,6 +5,9 @@ use crate::quantities::{FOOT, INCH, POUND, POUND_FORCE};
 /// Standard acceleration of free fall, by which a weight has a mass, m/s².
 const GRAVITY: f64 = 9.806_65;
 
+/// The foot of surveys in the United States, m.
+const US_SURVEY_FOOT: f64 = 1200.0 / 3937.0;
+
 /// What units measure. Numbers of a column become m, kg, kg/m, °, s, rpm and N m.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
@@ -40,13 +43,23 @@ const fn unit(dimension: Dimension, names: &'static [&'static str], factor: f64)
     }
 }
 
-const UNITS: [Unit; 36] = [
+const UNITS: [Unit; 37] = [
     unit(
         Dimension::Length,
-        &["m", "meter", "meters", "metre", "metres", "mtr", "mtrs"],
+        &[
+            "m", "meter", "meters", "metre", "metres", "mtr", "mtrs", "m_md", "mmd", "m_rkb",
+            "mrkb", "m_kb", "mkb", "m_rt", "mrt", "m_bdf", "mbdf", "m_df", "mdf",
+        ],
         1.0,
     ),
-    unit(Dimension::Length, &["ft", "foot", "feet"], FOOT),
+    unit(
+        Dimension::Length,
+        &[
+            "ft", "foot", "feet", "ft_md", "ftmd", "ft_rkb", "ftrkb", "ft_kb", "ftkb", "ft_rt",
+            "ftrt", "ft_bdf", "ftbdf", "ft_df", "ftdf", "int_ft", "ift",
+        ],
+        FOOT,
+    ),
     unit(Dimension::Length, &["in", "inch", "inches", "ins"], INCH),
     unit(
         Dimension::Length,
@@ -239,6 +252,20 @@ const UNITS: [Unit; 36] = [
         1e3 * POUND / FOOT,
     ),
     unit(Dimension::Length, &["km"], 1e3),
+    unit(
+        Dimension::Length,
+        &[
+            "US ft",
+            "usft",
+            "ftus",
+            "ft_us",
+            "us_feet",
+            "us_survey_ft",
+            "us_survey_feet",
+            "sft",
+        ],
+        US_SURVEY_FOOT,
+    ),
 ];
 
 impl Unit {

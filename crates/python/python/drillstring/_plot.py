@@ -54,7 +54,7 @@ def draw_map(
     ax: Axes | None,
 ) -> Axes:
     """The map of a table: see `Table.plot`."""
-    motion = motion or _first_motion(table)
+    motion = _labelled_motion(table, motion)
     title = _motion_title(motion)
     x, y = _map_axes(table, x, y)
     kept = _cut(table, [x, y], where or {})
@@ -150,11 +150,16 @@ def _has_labels(table: Mapping[str, NDArray[Any]], motion: str) -> bool:
     return any(label is not None for label in table.get(motion, ()))
 
 
-def _first_motion(table: Table) -> str:
+def _labelled_motion(table: Table, asked: str | None) -> str:
+    # The one asked for, or the first that cases are labelled by.
     with_labels = [motion for motion in MOTIONS if _has_labels(table, motion)]
     if not with_labels:
         raise DrillstringError("no case has a label")
-    return with_labels[0]
+    if asked in MOTIONS and asked not in with_labels:
+        raise DrillstringError(
+            f"no case has a label for {asked!r}: there are labels for {with_labels[0]!r} alone"
+        )
+    return asked or with_labels[0]
 
 
 def _map_axes(table: Table, x: str | None, y: str | None) -> tuple[str, str | None]:

@@ -336,7 +336,10 @@ fn fingerprint_hash(fingerprint: &serde_json::Value) -> Result<String> {
     Ok(hexadecimal(hash))
 }
 
-/// Where two fingerprints differ, each as `key: before → now`.
+/// Longest value that is shown of a key that differs, in letters.
+const LONGEST_SHOWN: usize = 60;
+
+/// Where two fingerprints differ, each as `key: before → now`, or `key: changed` where that is long.
 pub fn differences(before: &serde_json::Value, now: &serde_json::Value) -> Vec<String> {
     let mut found = Vec::new();
     compare("", before, now, &mut found);
@@ -369,6 +372,13 @@ fn compare(
                 compare(&format!("{path}[{index}]"), one, other, found);
             }
         }
-        _ => found.push(format!("{path}: {before} → {now}")),
+        _ => {
+            let [before, now] = [before, now].map(|value| value.to_string());
+            // Hashes, and tables of tubes, say nothing to a reader.
+            found.push(match before.len().max(now.len()) <= LONGEST_SHOWN {
+                true => format!("{path}: {before} → {now}"),
+                false => format!("{path}: changed"),
+            });
+        }
     }
 }

@@ -6,6 +6,9 @@ use super::by_axis::by_axis;
 use super::chart::Chart;
 use super::standing::Standing;
 
+/// A cell within the map, and those that it touches along a side or at a corner.
+const WITH_NEIGHBOURS: usize = 9;
+
 /// Cells that touch along a side.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Region {
@@ -62,6 +65,15 @@ impl Chart {
         sideways.chain(above).map(|place| self.number(place))
     }
 
+    /// A cell and those that it touches, at corners too.
+    fn around(&self, cell: usize) -> impl Iterator<Item = usize> {
+        let [column, row] = self.place(cell);
+        let [columns, rows] = self.size();
+        let near = |place: usize, count: usize| place.saturating_sub(1)..(place + 2).min(count);
+        let columns = near(column, columns);
+        columns.flat_map(move |column| near(row, rows).map(move |row| self.number([column, row])))
+    }
+
     fn region(&self, cells: Vec<usize>) -> Region {
         let nothing = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         let ends = cells.iter().fold(nothing, |ends, &cell| {
@@ -82,10 +94,24 @@ impl Chart {
         }
     }
 
-    /// The cell of a region that is farthest from its edge, in steps of cells, and of several in
-    /// the middle of them: where its name stands.
+    /// The cell of a region that is farthest from its edge, corners too, in steps of cells, and of
+    /// several in the middle of them: where its name stands.
     pub fn heart(&self, region: &Region) -> usize {
         let is_inside = |cell: usize| region.cells.binary_search(&cell).is_ok();
+        // Ring by ring of what is at its edge is taken away.
+        let mut inmost = region.cells.clone();
+        loop {
+            let is_left = |cell: usize| inmost.binary_search(&cell).is_ok();
+            let has_all_round = |&cell: &usize| {
+                let around = self.around(cell).filter(|&other| is_left(other));
+                around.count() == WITH_NEIGHBOURS
+            };
+            let inner: Vec<usize> = inmost.iter().copied().filter(has_all_round).collect();
+            if inner.is_empty() {
+                break;
+            }
+            inmost = inner;
+        }
         let [columns, rows] = self.size();
         // Steps to the edge along each axis; the edge of the map is one too.
         let depth = |&cell: &usize| {
@@ -102,7 +128,7 @@ impl Chart {
             let (sideways, upright) = (left.min(right), below.min(above));
             (sideways.min(upright), sideways.max(upright))
         };
-        let best = region.cells.iter().max_by_key(|cell| depth(cell));
+        let best = inmost.iter().max_by_key(|cell| depth(cell));
         best.copied().unwrap_or_default()
     }
 }
@@ -128,6 +154,26 @@ mod tests {
         assert_eq!(regions[1].ends, [[0.0, 128.0], [0.0, 64.0]]);
         let [weight, speed] = chart.middle(chart.heart(&regions[1]));
         assert!((24.0..104.0).contains(&weight) && (24.0..40.0).contains(&speed));
+    }
+
+    /// Its inner corner is far from the edge along both axes, and next to what is outside.
+    #[test]
+    fn the_name_of_a_bent_region_does_not_stand_at_its_inner_corner() {
+        let is_inside =
+            |weights: [f64; 2], speeds: [f64; 2]| weights[1] <= 64.0 || speeds[0] >= 128.0;
+        let chart = chart(vec![Box::new(move |[weights, speeds]| {
+            match is_inside(weights, speeds) {
+                true => Standing::Clear,
+                false => Standing::Near,
+            }
+        })]);
+        let regions = chart.safe_regions();
+        assert_eq!(regions.len(), 1);
+        let [weight, speed] = chart.middle(chart.heart(&regions[0]));
+        assert!(
+            weight < 64.0 - 16.0 || speed > 128.0 + 32.0,
+            "{weight}, {speed}"
+        );
     }
 
     #[test]

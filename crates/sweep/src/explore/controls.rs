@@ -34,6 +34,8 @@ pub struct Control {
     pub highest: f64,
     /// Whether only whole numbers make sense.
     pub counted: bool,
+    /// Whether the linear system depends on it, which takes longer than a case.
+    pub of_string: bool,
 }
 
 /// The controls of a case: first what the design varies.
@@ -93,6 +95,7 @@ fn control(axis: Axis, units: Units, value: f64, range: [f64; 2]) -> Control {
         lowest: unit.number(axis.least()),
         highest: unit.number(axis.most()),
         counted: axis.is_counted(),
+        of_string: axis.is_of_string(),
         unit: unit.name,
     }
 }

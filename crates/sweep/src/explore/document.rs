@@ -7,7 +7,7 @@ use anyhow::Result;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use campaign::labels::LabelTable;
-use campaign::plan::Sweep;
+use campaign::plan::{StringFriction, Sweep};
 use campaign::quantities::{Axis, TORQUE, WIDTH};
 use campaign::records::{Certainty, Record};
 use campaign::sweep_file::FileContent;
@@ -169,12 +169,22 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         "method": explored.method,
         "quick": QUICK,
         "slow": explored.slow,
+        "why": sweep.setting.friction.as_ref().map(why_long),
         "controls": controls,
         "torque": shown(&units.of(&TORQUE).kilo()),
         "width": shown(&units.of(&WIDTH)),
         "map": map,
         "command": format!("sweep simulate {} --case {case} --methods {}", file_word(&path), explored.method),
     }))
+}
+
+/// Why a case of a string that rubs takes long, for who waits.
+fn why_long(friction: &StringFriction) -> String {
+    format!(
+        "With friction along it the string is stepped in {} pieces, for some of its longest periods: a \
+         case of a long well takes seconds in a page. Fewer `pieces` and a shorter `time_s` take less.",
+        friction.pieces()
+    )
 }
 
 /// The case as it is in the file, for readers without scripts.

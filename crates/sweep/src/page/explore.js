@@ -22,6 +22,15 @@ const changesInWords = () =>
 /** Of a method that has a lattice of waves to build in each piece of the string. */
 const SLOW = ` Linear systems by ${data.slow} take minutes to build in a page, of a string with friction along it.`;
 
+const BUILT = " The linear system of this string is built first; then its cases are quick.";
+
+/** Why it takes long, where that is known: at first, and when what was changed last is of the string, there is no linear system. */
+const waiting = (method) => {
+  if (method === data.slow) return SLOW;
+  if (data.why) return ` ${data.why}`;
+  return !changed || control(changed).of_string ? BUILT : "";
+};
+
 /** Asks for the case as it now is; of several wishes the last is met. */
 async function redraw(quick) {
   wanted = { quick };
@@ -31,7 +40,7 @@ async function redraw(quick) {
     const { quick: isQuick } = wanted;
     wanted = null;
     const method = isQuick ? data.quick : data.method;
-    const slow = setTimeout(() => { byId("status").textContent = `Simulating …${method === data.slow ? SLOW : ""}`; }, 250);
+    const slow = setTimeout(() => { byId("status").textContent = `Simulating …${waiting(method)}`; }, 250);
     const request = { case: data.case, set: changes(), method, quick: isQuick };
     try {
       const answer = await engine.simulate(request);

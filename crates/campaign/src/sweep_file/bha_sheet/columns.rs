@@ -92,15 +92,12 @@ const SPECIFICATION: [&str; 8] = [
     "comments",
     "type",
 ];
-const JOINTS: [&str; 17] = [
+const JOINTS: [&str; 14] = [
     "joints",
     "count",
     "joint_count",
     "no_of_joints",
     "no_joints",
-    "no_of_jts",
-    "no_jts",
-    "jts",
     "number_of_joints",
     "num_joints",
     "nr_of_joints",
@@ -111,44 +108,35 @@ const JOINTS: [&str; 17] = [
     "pieces",
     "pcs",
 ];
-const OUTER_DIAMETER: [&str; 14] = [
+const OUTER_DIAMETER: [&str; 10] = [
     "od",
     "outer_diameter",
     "outside_diameter",
-    "outer_dia",
-    "outside_dia",
     "body_od",
     "od_body",
     "pipe_od",
     "nominal_od",
-    "nom_od",
     "ext_diameter",
     "external_diameter",
     "o_d",
-    "outer_diam",
 ];
-const INNER_DIAMETER: [&str; 15] = [
+const INNER_DIAMETER: [&str; 11] = [
     "id",
     "inner_diameter",
     "inside_diameter",
-    "inner_dia",
-    "inside_dia",
     "body_id",
     "id_body",
     "pipe_id",
     "nominal_id",
-    "nom_id",
     "bore",
     "internal_diameter",
     "int_diameter",
     "i_d",
-    "inner_diam",
 ];
-const BLADE: [&str; 11] = [
+const BLADE: [&str; 10] = [
     "blade_od",
     "blade_outer_diameter",
     "blade_diameter",
-    "blade_dia",
     "gauge",
     "gauge_od",
     "gauge_diameter",
@@ -157,47 +145,48 @@ const BLADE: [&str; 11] = [
     "gage_od",
     "od_blade",
 ];
-const LENGTH: [&str; 4] = ["length", "len", "section_length", "lgth"];
-const JOINT_LENGTH: [&str; 8] = [
+const LENGTH: [&str; 2] = ["length", "section_length"];
+const JOINT_LENGTH: [&str; 7] = [
     "joint_length",
     "length_per_joint",
     "length_of_joint",
     "length_of_one_joint",
     "length_each",
-    "avg_joint_length",
     "average_joint_length",
     "length_joint",
 ];
-const MASS: [&str; 8] = [
+const MASS: [&str; 7] = [
     "weight",
     "mass",
-    "wt",
     "weight_in_air",
     "air_weight",
     "weight_air",
     "mass_in_air",
     "dry_weight",
 ];
-const LINEAR_MASS: [&str; 19] = [
+const LINEAR_MASS: [&str; 22] = [
     "weight",
     "mass",
-    "wt",
     "",
     "unit_weight",
     "unit_mass",
     "linear_weight",
     "linear_mass",
     "nominal_weight",
-    "nom_weight",
-    "nom_wt",
     "adjusted_weight",
-    "adj_weight",
-    "approx_weight",
+    "approximate_weight",
     "weight_in_air",
     "air_weight",
     "weight_per_length",
-    "lin_weight",
     "average_weight",
+    "adjusted_mass",
+    "approximate_mass",
+    "average_mass",
+    "nominal_mass",
+    "mass_per_length",
+    "weight_per_foot",
+    "weight_per_meter",
+    "weight_per_metre",
 ];
 
 /// What a sheet may have.
@@ -290,6 +279,12 @@ mod tests {
             ("Weight (lbs/ft)", Quantity::LinearMass, 1.488163944),
             ("Nom. weight (#/ft)", Quantity::LinearMass, 1.488163944),
             ("Mass kg/m", Quantity::LinearMass, 1.0),
+            ("Lin. Wt (lb/ft)", Quantity::LinearMass, 1.488163944),
+            ("Adj. Wt. (ppf)", Quantity::LinearMass, 1.488163944),
+            ("Length (usft)", Quantity::Length, 1200.0 / 3937.0),
+            ("Lgth. (m)", Quantity::Length, 1.0),
+            ("Avg Jt Len (ft)", Quantity::JointLength, 0.3048),
+            ("Jts", Quantity::Joints, 1.0),
             ("tool_joint_od_in", Quantity::ToolJointOuterDiameter, 0.0254),
             ("Blade OD (in)", Quantity::BladeOuterDiameter, 0.0254),
             ("Gauge (in)", Quantity::BladeOuterDiameter, 0.0254),

@@ -22,7 +22,7 @@ pub fn equipment(results: &Results) -> Vec<(String, String)> {
         fact("String", string(content)),
         fact("Bit", bit(content, &is_varied)),
         fact("Drive", drive(content)),
-        fact("Mud", mud(content)),
+        fact("Mud", mud(content, &is_varied)),
     ];
     facts.extend(well(content).map(|text| fact("Well", text)));
     facts
@@ -213,12 +213,22 @@ fn controller(drive: &TopDriveTable, units: Units) -> String {
     parts.join(", ")
 }
 
-fn mud(content: &FileContent) -> String {
+fn mud(content: &FileContent, is_varied: &dyn Fn(Axis) -> bool) -> String {
     let Some(mud) = &content.mud else {
         return "not modelled.".to_owned();
     };
-    let unit = Axis::String(StringAxis::MudDensity).unit(content.units);
-    format!("{} {}.", short(unit.number(mud.density_kg_m3)), unit.name)
+    let density = (StringAxis::MudDensity, "density", mud.density_kg_m3);
+    let viscosity = (StringAxis::MudViscosity, "viscosity", mud.viscosity_cp);
+    let parts = [density, viscosity].map(|(axis, words, value)| {
+        let axis = Axis::String(axis);
+        let unit = axis.unit(content.units);
+        match (is_varied(axis), value > 0.0) {
+            (true, _) => format!("{words} as varied"),
+            (false, true) => format!("{} {}", short(unit.number(value)), unit.name),
+            (false, false) => format!("without {words}"),
+        }
+    });
+    format!("{}.", parts.join(", "))
 }
 
 /// Its course, its wall and the friction along the string; none where nothing is said of them.
