@@ -58,7 +58,7 @@ impl SystemPlan<'_> {
             .cutting
             .as_ref()
             .map(|cutting| ChannelRequest::Axial {
-                rod: cutting.rod.clone(),
+                rod: Box::new(cutting.rod.clone()),
                 forces: vec![sites - 1],
             });
         let in_torsion = ChannelRequest::Torsion { torques };

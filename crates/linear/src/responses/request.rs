@@ -26,7 +26,7 @@ pub enum ChannelRequest {
     /// Speeds along the string of all sites, from the surface and from forces.
     Axial {
         /// The string as a rod that stretches ([`crate::Axial::rod`]).
-        rod: Drillstring,
+        rod: Box<Drillstring>,
         /// The sites, by number, that a force acts on. Only these become inputs.
         forces: Vec<usize>,
     },

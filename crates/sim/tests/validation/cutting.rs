@@ -95,7 +95,7 @@ fn system(
         channels: vec![
             ChannelRequest::Torsion { torques: vec![0] },
             ChannelRequest::Axial {
-                rod: rod.clone(),
+                rod: Box::new(rod.clone()),
                 forces: vec![0],
             },
         ],

@@ -103,11 +103,11 @@ impl Face {
         if angle <= self.furthest() {
             return;
         }
-        let found: [f64; super::MOST_PROFILES] = std::array::from_fn(|blade| {
-            (blade < self.depths.len())
-                .then(|| self.ahead(blade, angle).0)
-                .unwrap_or(0.0)
-        });
+        let found: [f64; super::MOST_PROFILES] =
+            std::array::from_fn(|blade| match blade < self.depths.len() {
+                true => self.ahead(blade, angle).0,
+                false => 0.0,
+            });
         for (depths, found) in self.depths.iter_mut().zip(found) {
             depths.push(depth.max(found));
         }
