@@ -30,7 +30,7 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 17] = [
+const SNIPPETS: [Snippet; 18] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
     snippet(
