@@ -30,9 +30,14 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 18] = [
+const SNIPPETS: [Snippet; 19] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
+    snippet(
+        "docs/cutting.md",
+        "relief_deg",
+        After::Base("academic_turning.toml"),
+    ),
     snippet(
         "docs/damping.md",
         "loss_factor",
@@ -94,12 +99,18 @@ const fn snippet(page: &'static str, known_by: &'static str, after: After) -> Sn
 }
 
 /// Bases that are no shipped file, made of one for a piece that goes with it.
-const BASES: [(&str, &str); 1] = [(
-    "fig09_without_methods.toml",
-    "base = \"academic.toml\"\n[bit]\nrock = \"sandstone\"\n[design]\nkind = \"grid\"\n\
+const BASES: [(&str, &str); 2] = [
+    (
+        "academic_turning.toml",
+        "base = \"academic.toml\"\nsurface_speed_rpm = 120\n",
+    ),
+    (
+        "fig09_without_methods.toml",
+        "base = \"academic.toml\"\n[bit]\nrock = \"sandstone\"\n[design]\nkind = \"grid\"\n\
          [design.axes]\nsurface_speed_rpm = { values = [0.1, 0.3] }\n\
          weight_on_bit_kn = { values = [50] }\n",
-)];
+    ),
+];
 
 /// A folder with all that is shipped in `sweeps`.
 fn workplace() -> Workplace {

@@ -9,12 +9,12 @@ use linear::DrillstringError;
 use linear::deviation::exact_undershoot;
 use linear::estimates::largest_undershoot;
 use linear::falling_torque::{highest_frequency, steepest_fall};
-use serde::Deserialize;
 
 use crate::axes::{position, range_of_axis};
 use crate::many_sites_limit::many_sites_limit;
 use crate::sliding_together::sliding_together;
 use crate::steady_drilling::steady_drilling_points;
+use crate::torsion_limit::{StickSlipPoint, TorsionLimit, WAVES};
 use crate::whirl_limit::{WhirlPoint, whirl_limit};
 use campaign::engine::{MethodSystem, stick_slip_limit};
 use campaign::plan::{Bit, LateralSettings, Sweep, TorqueError};
@@ -32,57 +32,6 @@ pub enum Boundary {
     StickSlip(Vec<StickSlipPoint>),
     /// Of backward whirl.
     Whirl(Vec<WhirlPoint>),
-}
-
-/// Which limit of torsion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum TorsionLimit {
-    /// Below it stick-slip can sustain itself (Eq. 74).
-    #[default]
-    StickSlip,
-    /// Below it smooth rotation does not last, as the torque on the bit falls too steeply with its
-    /// speed.
-    SmoothRotation,
-    /// Where steady drilling with blades that cut what they leave is about to grow.
-    SteadyDrilling,
-}
-
-impl TorsionLimit {
-    /// The word in the table.
-    fn name(self) -> &'static str {
-        match self {
-            TorsionLimit::StickSlip => "stick_slip",
-            TorsionLimit::SmoothRotation => "smooth_rotation",
-            TorsionLimit::SteadyDrilling => "steady_drilling",
-        }
-    }
-}
-
-/// One point of a limit of torsion.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct StickSlipPoint {
-    /// Weight on bit, kN; empty where the design varies the torque itself.
-    pub weight_on_bit_kn: Option<f64>,
-    /// T_d, N m.
-    pub torque_dynamic_nm: f64,
-    /// The limit, rpm.
-    pub surface_speed_rpm: f64,
-    /// The method whose Δ is used; of smooth rotation, the exact waves.
-    pub method: String,
-    /// Which limit; of earlier versions, that of stick-slip.
-    #[serde(default)]
-    pub limit: TorsionLimit,
-}
-
-impl StickSlipPoint {
-    /// Its place along an axis, of the weight on bit or of the torque.
-    pub fn along(&self, axis: Axis) -> Option<f64> {
-        match axis {
-            Axis::WeightOnBitKn => self.weight_on_bit_kn,
-            _ => Some(self.torque_dynamic_nm),
-        }
-    }
 }
 
 /// Why the limit of a map is not known.
@@ -209,9 +158,6 @@ fn smooth_rotation_points(sweep: &Sweep, bit: &Bit, position: usize) -> Vec<Stic
     };
     along_axis(sweep, position).filter_map(at).collect()
 }
-
-/// What limits of small motion are computed by.
-pub(crate) const WAVES: &str = "waves";
 
 /// Eq. 74 between two weights on bit (kN) by the undershoot of the string as it is, whose fronts
 /// no step smears; without points where the cases have no one limit, or where that undershoot

@@ -1,7 +1,8 @@
 //! The limit of `boundary.csv` as curves over the two quantities it relates, regardless of what a
 //! map shows of them.
 
-use crate::boundary::{Boundary, StickSlipPoint, TorsionLimit};
+use crate::boundary::Boundary;
+use crate::torsion_limit::{StickSlipPoint, TorsionLimit};
 use crate::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
 use campaign::quantities::{Axis, LENGTH, Units};
 use campaign::words::short;

@@ -51,17 +51,19 @@ mod forward_contact;
 mod many_sites_limit;
 mod sliding_together;
 mod steady_drilling;
+mod torsion_limit;
 mod whirl_limit;
 
 pub use bit_resonances::{BitResonance, bit_resonances};
 pub use boundary::{
-    Boundary, BoundaryError, StickSlipPoint, TorsionLimit, boundary, boundary_csv,
-    exact_stick_slip_limit, read_boundary, whirl_boundary,
+    Boundary, BoundaryError, boundary, boundary_csv, exact_stick_slip_limit, read_boundary,
+    whirl_boundary,
 };
 pub use curves::Curve;
 pub use envelope::Envelope;
 pub use forward_contact::ForwardContact;
 pub use many_sites_limit::{MOST_SITES, many_sites_limit};
+pub use torsion_limit::{StickSlipPoint, TorsionLimit};
 pub use whirl_limit::{
     WhirlMotion, WhirlPoint, rolling_bound, rolling_envelope, rolling_whirls, whirl_from,
     whirl_limit,

@@ -7,7 +7,7 @@ use linear::parallel;
 use linear::regenerative::{CuttingLoop, SteadyCut};
 
 use crate::axes::{position, range_of_axis};
-use crate::boundary::{StickSlipPoint, TorsionLimit, WAVES};
+use crate::torsion_limit::{StickSlipPoint, TorsionLimit, WAVES};
 
 /// Weights and speeds at which it is looked whether steady drilling lasts; tongues that are narrower
 /// than a step of speed are missed.
@@ -91,8 +91,8 @@ fn between(ends: &[f64], one: bool, lasts: impl Fn(f64) -> Option<bool>) -> f64 
     0.5 * (low + high)
 }
 
-/// Limits at one weight after the other as lines: what is nearest at the next weight goes on, unless
-/// it is further than a few `step`s of speed.
+/// Limits at one weight after the other as lines: each continues to what is nearest at the next weight, unless that
+/// is further than a few `step`s of speed.
 fn branches(limits: Vec<Vec<[f64; 2]>>, step: f64) -> Vec<Vec<[f64; 2]>> {
     const NEAR: f64 = 4.0;
     let mut branches: Vec<Vec<[f64; 2]>> = Vec::new();

@@ -213,7 +213,7 @@ impl Drillstring {
     }
 
     /// The same string under an axial force, from the surface down, where without one it has
-    /// none but the pre-compression of [`Bending`]. It matters in bending: tension pulls the
+    /// none but the pre-compression of [`crate::Bending`]. It matters in bending: tension pulls the
     /// string straight.
     ///
     /// # Errors
@@ -349,7 +349,7 @@ impl Drillstring {
     }
 
     /// The axial force along it, from the surface down; empty where none but that of
-    /// [`Bending`] acts.
+    /// [`crate::Bending`] acts.
     pub fn axial_force(&self) -> &[AxialForce] {
         &self.axial_force
     }

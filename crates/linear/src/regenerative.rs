@@ -11,7 +11,7 @@
 //! Both g are positive-real and D → 1 for fast s, so the number of roots that grow is −1/π times
 //! the change of arg D(iω) from ω = 0 to ∞ (Cauchy). Near sharp resonances that is followed in the
 //! coefficients r = (Zg − 1)/(Zg + 1) by which waves come back, whose phases turn evenly: D times
-//! (1 − r_a)(1 − r_t), which has no zeros of its own, has no poles.
+//! (1 − r_a)(1 − r_t), which adds no zeros, has no poles.
 //!
 //! In soft rock the axis of a plain string is stable when the bit turns fast enough:
 //!
@@ -108,7 +108,7 @@ const LARGEST_TURN: f64 = 0.3;
 /// Halvings of a step.
 const MOST_HALVINGS: u32 = 40;
 
-/// Where D differs from 1 by no more than this part, whatever the phases, it turns no further.
+/// Where D differs from 1 by no more than this part for any phases, it turns no further.
 const ENOUGH: f64 = 0.5;
 
 /// By how much resonances beyond the samples may be sharper than those of the last octave.
@@ -392,7 +392,7 @@ fn fed(cut: &SteadyCut, [torsion, axial]: [Complex64; 2]) -> Complex64 {
     axial * cut.weight - torsion * (cut.advance * cut.torque)
 }
 
-/// The most that it is with the delay, whatever the phases, for responses of these sizes.
+/// The most that it is with the delay, for responses of these sizes and any phases.
 fn most_fed(cut: &SteadyCut, [torsion, axial]: [f64; 2]) -> f64 {
     2.0 * (axial * cut.weight + torsion * cut.advance * cut.torque)
 }

@@ -201,7 +201,12 @@ fn drilled(
     let feed = settings.feed(conditions);
     let feed = feed.ok_or(CaseError::Missing("weight on bit or feed"))?;
     let steady = settings.steady(&setting.string, &cutting, surface_speed, feed);
-    let (start, start_rate, kick) = settings.start(setting, &sweep.starts, (surface_speed, steady));
+    let begins_steadily = sweep.starts.name == StartName::Smooth;
+    let (start, start_rate, kick) = settings.start(
+        (&setting.string, &setting.sites),
+        begins_steadily.then_some(sweep.starts.disturbance),
+        (surface_speed, steady),
+    );
     Ok(Some((
         start,
         Axial {

@@ -2,10 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::cutting;
 use crate::design::Design;
 use crate::quantities::{Axis, RPM, WallQuantity};
-use crate::sweep_file::{FileContent, LawTable, Source, SweepFileError};
+use crate::sweep_file::{FeedName, FileContent, LawTable, Source, SweepFileError};
 
 /// Operating conditions of a case, in the units of their names.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -228,7 +227,7 @@ pub fn are_complete(
         });
     };
     if bit.cutting.is_some() {
-        return cutting::is_complete(source, content, conditions, design);
+        return is_complete_with_cutting(source, content, conditions, design);
     }
     let has_weight = has(Axis::WeightOnBitKn);
     let message = "a weight on bit needs a rock to give a torque: \
@@ -239,4 +238,50 @@ pub fn are_complete(
     let message = "needs `torque_dynamic_nm`, or a rock and `weight_on_bit_kn`, \
                    or one of them as an axis of the design";
     source.refuse_if(!has_weight && !has(Axis::TorqueDynamicNm), "bit", message)
+}
+
+/// Every case must know what its surface is set to.
+///
+/// # Errors
+/// Names what is missing, or there in vain.
+fn is_complete_with_cutting(
+    source: &Source,
+    content: &FileContent,
+    conditions: &Conditions,
+    design: &Design,
+) -> Result<(), SweepFileError> {
+    let has = |axis| conditions.has(axis, design);
+    let idle = [
+        Axis::TorqueDynamicNm,
+        Axis::TorqueStaticRatio,
+        Axis::TorqueDecay,
+    ];
+    if let Some(axis) = design.axes().iter().find(|axis| idle.contains(axis)) {
+        let key = format!("design.axes.{}", axis.name());
+        let message = "with [bit.cutting] the torque follows from the depth of cut";
+        return Err(source.error(&key, message));
+    }
+    match content.feed.unwrap_or_default().kind {
+        FeedName::HookLoad => {
+            let message = "needs `weight_on_bit_kn`, or that as an axis of the design";
+            source.refuse_if(!has(Axis::WeightOnBitKn), "bit", message)?;
+            let message = "the hook load decides how fast the string goes down: leave it out, or \
+                           write `kind = \"speed\"` in [feed]";
+            let key = match conditions.feed_m_h {
+                Some(_) => "feed.feed_m_h",
+                None => "design.axes.feed_m_h",
+            };
+            source.refuse_if(has(Axis::FeedMH), key, message)
+        }
+        FeedName::Speed => {
+            let message = "needs `feed_m_h`, or that as an axis of the design";
+            source.refuse_if(!has(Axis::FeedMH), "feed", message)?;
+            let message = "the weight on bit follows from the feed: leave it out";
+            let key = match conditions.weight_on_bit_kn {
+                Some(_) => "bit.weight_on_bit_kn",
+                None => "design.axes.weight_on_bit_kn",
+            };
+            source.refuse_if(has(Axis::WeightOnBitKn), key, message)
+        }
+    }
 }

@@ -4,15 +4,11 @@
 use linear::estimates::torsional_resistance;
 use linear::regenerative::SteadyCut;
 use linear::steady::{rotation, rotation_speed};
-use linear::{Axial, Drillstring, Hoist};
+use linear::{Axial, Drillstring, Hoist, Sites};
 use sim::laws::rock::CuttingLaw;
 use sim::{Blades, Cutting, FlatContact, Kick, Start, SurfaceProfile};
 
 use super::conditions::Conditions;
-use super::setting::Setting;
-use super::start::Starts;
-use crate::design::Design;
-use crate::quantities::Axis;
 use crate::sweep_file::{
     ContactName, CuttingTable, FeedName, FeedTable, FileContent, RockName, Source, StartName,
     SweepFileError,
@@ -291,52 +287,6 @@ fn kick(
     }))
 }
 
-/// Every case must know what its surface is set to.
-///
-/// # Errors
-/// Names what is missing, or there in vain.
-pub fn is_complete(
-    source: &Source,
-    content: &FileContent,
-    conditions: &Conditions,
-    design: &Design,
-) -> Result<(), SweepFileError> {
-    let has = |axis| conditions.has(axis, design);
-    let idle = [
-        Axis::TorqueDynamicNm,
-        Axis::TorqueStaticRatio,
-        Axis::TorqueDecay,
-    ];
-    if let Some(axis) = design.axes().iter().find(|axis| idle.contains(axis)) {
-        let key = format!("design.axes.{}", axis.name());
-        let message = "with [bit.cutting] the torque follows from the depth of cut";
-        return Err(source.error(&key, message));
-    }
-    match content.feed.unwrap_or_default().kind {
-        FeedName::HookLoad => {
-            let message = "needs `weight_on_bit_kn`, or that as an axis of the design";
-            source.refuse_if(!has(Axis::WeightOnBitKn), "bit", message)?;
-            let message = "the hook load decides how fast the string goes down: leave it out, or \
-                           write `kind = \"speed\"` in [feed]";
-            let key = match conditions.feed_m_h {
-                Some(_) => "feed.feed_m_h",
-                None => "design.axes.feed_m_h",
-            };
-            source.refuse_if(has(Axis::FeedMH), key, message)
-        }
-        FeedName::Speed => {
-            let message = "needs `feed_m_h`, or that as an axis of the design";
-            source.refuse_if(!has(Axis::FeedMH), "feed", message)?;
-            let message = "the weight on bit follows from the feed: leave it out";
-            let key = match conditions.weight_on_bit_kn {
-                Some(_) => "bit.weight_on_bit_kn",
-                None => "design.axes.weight_on_bit_kn",
-            };
-            source.refuse_if(has(Axis::WeightOnBitKn), key, message)
-        }
-    }
-}
-
 impl CuttingSettings {
     /// Number of blades.
     pub fn blades(&self) -> usize {
@@ -404,26 +354,22 @@ impl CuttingSettings {
         at(low)
     }
 
-    /// How a case of a setting begins, at a rate of penetration (m/s), and what disturbs it.
+    /// How a case of a string with sites begins, at a rate of penetration (m/s), and what disturbs it:
+    /// at rest, or steadily with a `disturbance` of its torque and weight, as a part of these.
     pub fn start(
         &self,
-        setting: &Setting,
-        starts: &Starts,
+        (string, sites): (&Drillstring, &Sites),
+        disturbance: Option<f64>,
         (surface_speed, steady): (f64, SteadyDrilling),
     ) -> (Start, f64, Option<Kick>) {
-        let begins_steadily = starts.name == StartName::Smooth;
-        if !begins_steadily || steady.speed <= 0.0 || steady.rate <= 0.0 {
+        let drills = steady.speed > 0.0 && steady.rate > 0.0;
+        let Some(part) = disturbance.filter(|_| drills) else {
             return (Start::Rest, 0.0, None);
-        }
-        let motion = rotation(
-            &setting.string,
-            &setting.sites,
-            surface_speed,
-            steady.torque,
-        );
+        };
+        let motion = rotation(string, sites, surface_speed, steady.torque);
         let kick = self.kick.unwrap_or(Kick {
-            torque: -starts.disturbance * steady.torque,
-            force: starts.disturbance * steady.weight,
+            torque: -part * steady.torque,
+            force: part * steady.weight,
             duration: self.kick_time,
         });
         (Start::Steady(motion), steady.rate, Some(kick))

@@ -375,7 +375,7 @@ fn a_steady_bit_obeys_the_law_of_its_rock() {
 /// In soft rock the axis is stable when the bit turns fast, and there the rate of penetration is that of
 /// steady drilling.
 #[test]
-fn val_steady_drilling_stays_steady_above_its_limit() {
+fn steady_drilling_stays_steady_above_its_limit() {
     let file = |speed: f64| {
         format!(
             "surface_speed_rpm = {speed}\nstart = \"smooth\"\nmethods = [\"held\", \"quadrature\"]\n\

@@ -53,7 +53,7 @@ pub struct CuttingTable {
     #[schemars(range(min = 0.5, max = 60.0))]
     #[serde(default = "default_relief")]
     pub relief_deg: f64,
-    /// How the wear flats come to carry weight.
+    /// When the wear flats carry weight.
     #[serde(default)]
     pub contact: ContactName,
     /// With `start = "smooth"`: a torque on the bit for `kick_s`, instead of `start_disturbance`.
@@ -70,7 +70,7 @@ pub struct CuttingTable {
     pub kick_s: f64,
 }
 
-/// How the wear flats come to carry weight.
+/// When the wear flats carry weight.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ContactName {

@@ -261,7 +261,7 @@ mod tests {
 
     /// The flow between the walls by finite differences: w″ + w′/r = κ² w.
     #[test]
-    fn val_sliding_is_the_flow_between_its_walls() {
+    fn sliding_is_the_flow_between_its_walls() {
         const POINTS: usize = 4000;
         let h = (PIPE.hole - PIPE.outer) / POINTS as f64;
         for frequency in [0.2, 2.0, 20.0] {

@@ -16,6 +16,29 @@
 //! under a bit that bounces; and relief bounds the advance per angle, so that a bit that stands
 //! still does not sink in.
 //!
+//! Steady drilling is the law of the rock:
+//!
+//! ```
+//! use sim::laws::rock::CuttingLaw;
+//! use sim::{Blades, Cutting, FlatContact, Rock};
+//!
+//! let Rock::Law(rock) = Rock::sandstone() else { unreachable!() };
+//! let bit = Cutting {
+//!     rock,
+//!     contact: FlatContact::Grows,
+//!     blades: Blades::Even(6),
+//!     relief: 15f64.to_radians().tan(),
+//! };
+//! let depth_of_cut = bit.steady_depth_of_cut(60e3);
+//! let [torque, weight] = bit.steady(depth_of_cut);
+//! assert!((weight / 60e3 - 1.0).abs() < 1e-12);
+//! assert!((torque / Rock::sandstone().torque_dynamic(60e3)? - 1.0).abs() < 1e-12);
+//! // Six blades a turn, and a bit that turns twice a second.
+//! let rate = bit.steady_rate(60e3, 2.0 * std::f64::consts::TAU);
+//! assert!((rate / (12.0 * depth_of_cut) - 1.0).abs() < 1e-12);
+//! # Ok::<(), sim::laws::rock::RockError>(())
+//! ```
+//!
 //! A step (speeds held over it, the law met where they are) leaves two load lines, ω = ω_h − A_t T
 //! and v = v_h − A_a W. At a given ω one v meets W(v), which grows: the axial part is a law for
 //! itself. What is left is one equation in ω, continuous and piecewise linear.
@@ -30,14 +53,16 @@ pub use face::Face;
 use super::rock::CuttingLaw;
 use super::torque::LoadLine;
 use crate::ranges::{SceneError, positive};
+pub use advance::AxialLine;
 use advance::{Advance, Grip};
+pub use face::MOST_PROFILES;
 
 /// A bit that cuts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cutting {
     /// The rock, and the bit's radius and wear.
     pub rock: CuttingLaw,
-    /// How the wear flats come to carry weight.
+    /// When the wear flats carry weight.
     pub contact: FlatContact,
     /// The blades.
     pub blades: Blades,
@@ -46,7 +71,7 @@ pub struct Cutting {
     pub relief: f64,
 }
 
-/// How the wear flats come to carry weight.
+/// When the wear flats carry weight.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FlatContact {
@@ -64,19 +89,6 @@ pub enum Blades {
     Even(usize),
     /// The angle from each to the next, rad; 2π together.
     Uneven(Vec<f64>),
-}
-
-/// What a step leaves open along the axis: the bit goes down at `free_speed − compliance × weight`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AxialLine {
-    /// Speed without weight on the bit in this step, m/s, down.
-    pub free_speed: f64,
-    /// A(0): speed per force within the step, m/s per N.
-    pub compliance: f64,
-    /// From the beginning of the step to where its speeds are taken, s.
-    pub within: f64,
-    /// The whole step, s.
-    pub step: f64,
 }
 
 /// Where a bit stands.
@@ -422,9 +434,6 @@ impl CuttingForces {
         }
     }
 }
-
-/// The most blades of a bit that are not evenly spaced.
-pub const MOST_PROFILES: usize = 20;
 
 /// The speed between that of a trial, where the residual is positive, and one above, where it is
 /// not, by Newton's method from a guess, kept between both.

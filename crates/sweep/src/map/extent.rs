@@ -145,7 +145,8 @@ mod tests {
 
     fn extent(rows: &str, others: Vec<Axis>) -> Extent {
         let file = tempfile::NamedTempFile::new().expect("a file");
-        let header = "case,method,surface_speed_rpm,weight_on_bit_kn,friction,torsion,lateral";
+        let header =
+            "case,method,surface_speed_rpm,weight_on_bit_kn,friction,torsion,lateral,axial";
         std::fs::write(file.path(), format!("{header}\n{rows}")).expect("written");
         let axes = [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn];
         let sweep = toml::from_str(
@@ -156,9 +157,9 @@ mod tests {
     }
 
     #[test]
-    fn both_motions_are_found_wherever_a_case_has_a_label() {
+    fn all_motions_are_found_wherever_a_case_has_a_label() {
         let extent = extent(
-            "0,a,1,10,1,,\n1,a,2,20,1,smooth,\n2,a,1,20,1,,no_contact\n",
+            "0,a,1,10,1,,,\n1,a,2,20,1,smooth,,\n2,a,1,20,1,,no_contact,steady\n",
             vec![],
         );
         assert_eq!(extent.motions, Motion::ALL);
@@ -169,7 +170,7 @@ mod tests {
     #[test]
     fn few_values_of_further_axes_are_listed_in_order_and_many_are_not() {
         let rows = |count: i32| -> String {
-            let row = |case| format!("{case},a,1,10,{},smooth,\n", 9 - case % count);
+            let row = |case| format!("{case},a,1,10,{},smooth,,\n", 9 - case % count);
             (0..20).map(row).collect()
         };
         let of_three = extent(&rows(3), vec![Axis::FRICTION]);

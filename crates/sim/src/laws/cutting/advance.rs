@@ -1,7 +1,20 @@
 //! The axial part of a step: the one rate of penetration that meets the load line, at a given
 //! rotation speed.
 
-use super::{AxialLine, MOST_PROFILES};
+use super::face::MOST_PROFILES;
+
+/// What a step leaves open along the axis: the bit goes down at `free_speed − compliance × weight`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxialLine {
+    /// Speed without weight on the bit in this step, m/s, down.
+    pub free_speed: f64,
+    /// A(0): speed per force within the step, m/s per N.
+    pub compliance: f64,
+    /// From the beginning of the step to where its speeds are taken, s.
+    pub within: f64,
+    /// The whole step, s.
+    pub step: f64,
+}
 
 /// How the rock holds a bit up.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,5 +1,8 @@
 //! The rock that blades have left, over the angle of the bit.
 
+/// The most blades of a bit that are not evenly spaced.
+pub const MOST_PROFILES: usize = 20;
+
 /// What each blade has left where it was when the bit was at an angle, joined by straight lines.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Face {
@@ -103,7 +106,7 @@ impl Face {
         if angle <= self.furthest() {
             return;
         }
-        let found: [f64; super::MOST_PROFILES] =
+        let found: [f64; MOST_PROFILES] =
             std::array::from_fn(|blade| match blade < self.depths.len() {
                 true => self.ahead(blade, angle).0,
                 false => 0.0,

@@ -30,13 +30,20 @@ pub fn reference_table(
     let mut writer = csv::Writer::from_writer(comments.into_bytes());
     let mut header = vec!["case".to_owned(), "method".to_owned()];
     header.extend(manifest.axes.iter().map(|axis| axis.name()));
-    header.extend(Motion::ALL.map(|motion| motion.name().to_owned()));
+    let cuts = manifest
+        .sweep
+        .bit
+        .as_ref()
+        .is_some_and(|bit| bit.cutting.is_some());
+    let motions = Motion::ALL.into_iter();
+    let motions: Vec<Motion> = motions.filter(|it| *it != Motion::Axial || cuts).collect();
+    header.extend(motions.iter().map(|motion| motion.name().to_owned()));
     writer.write_record(&header)?;
     for row in cases.iter().flat_map(|case| &case.rows) {
         let mut fields = vec![row.case.to_string(), row.method.clone()];
         fields.extend(row.values.iter().map(f64::to_string));
-        let label = |motion| row.labels[motion].map_or("", Label::name).to_owned();
-        fields.extend(Motion::ALL.map(label));
+        let label = |motion: &Motion| row.labels[*motion].map_or("", Label::name).to_owned();
+        fields.extend(motions.iter().map(label));
         writer.write_record(&fields)?;
     }
     Ok(writer.into_inner()?)
