@@ -139,6 +139,9 @@ pub(crate) struct CuttingForces {
 /// Steps of a solver, far more than it takes.
 const MOST_STEPS: usize = 160;
 
+/// A law is met where it leaves no more than this of the free speed.
+const MET: f64 = 1e-12;
+
 /// What is left of a speed is rounding, in parts of the free speed.
 const ROUNDING: f64 = 4e-15;
 
@@ -293,9 +296,16 @@ impl CuttingForces {
         let held = at(0.0);
         // Where flats land all at once, or a blade meets the ledge at the end of its own cut, torque
         // jumps: what it is follows from the load line.
-        let step = |trial: Trial| CutStep {
-            torque: (line.free_speed - trial.speed) / line.compliance,
-            ..self.step(trial)
+        let step = |trial: Trial| {
+            let is_met = trial.residual.abs() <= MET * line.free_speed.abs();
+            let torque = match is_met {
+                true => trial.torque,
+                false => (line.free_speed - trial.speed) / line.compliance,
+            };
+            CutStep {
+                torque,
+                ..self.step(trial)
+            }
         };
         if line.free_speed <= 0.0 {
             // Rock keeps a bit from turning back; in the air it does.

@@ -134,6 +134,14 @@ fn bit(content: &FileContent, is_varied: &dyn Fn(Axis) -> bool) -> String {
         let weight = short(force.number(weight));
         parts.push(format!("{weight} {} of weight", force.name));
     }
+    if let Some(cutting) = &bit.cutting {
+        let blades = cutting.blade_angles_deg.as_ref();
+        let blades = counted(blades.map_or(cutting.blades, Vec::len), "blade");
+        parts.push(format!(
+            "{blades} that each cut what the one before has left"
+        ));
+        return format!("{}.", parts.join(", "));
+    }
     if !is_varied(Axis::TorqueStaticRatio) {
         let ratio = short(bit.torque_static_ratio);
         parts.push(format!(
