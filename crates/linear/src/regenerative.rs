@@ -112,7 +112,7 @@ const MOST_HALVINGS: u32 = 40;
 const ENOUGH: f64 = 0.5;
 
 /// By how much resonances beyond the samples may be sharper than those of the last octave.
-const SHARPER: f64 = 4.0;
+const SHARPER: f64 = 2.0;
 
 /// Most steps along the axis: some seconds of work, and 48 MB.
 const MOST_SAMPLES: usize = 1 << 20;

@@ -45,17 +45,20 @@
 
 mod advance;
 mod face;
+mod forces;
+mod step;
 #[cfg(test)]
 mod tests;
 
 pub use face::Face;
 
 use super::rock::CuttingLaw;
-use super::torque::LoadLine;
 use crate::ranges::{SceneError, positive};
 pub use advance::AxialLine;
-use advance::{Advance, Grip};
+use advance::Grip;
 pub use face::MOST_PROFILES;
+pub(crate) use forces::CuttingForces;
+pub use step::{BitPlace, CutStep};
 
 /// A bit that cuts.
 #[derive(Debug, Clone, PartialEq)]
@@ -90,60 +93,6 @@ pub enum Blades {
     /// The angle from each to the next, rad; 2π together.
     Uneven(Vec<f64>),
 }
-
-/// Where a bit stands.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct BitPlace {
-    /// φ, rad.
-    pub angle: f64,
-    /// U, m, from where it began, down.
-    pub depth: f64,
-    /// The deepest that it was since it last turned, m.
-    pub deepest: f64,
-    /// Its speed in the last step, rad/s.
-    pub speed: f64,
-}
-
-/// What a bit does in a step.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
-pub struct CutStep {
-    /// ω, rad/s.
-    pub speed: f64,
-    /// v, m/s, down.
-    pub rate: f64,
-    /// T: against the rotation, N m; negative where the rock keeps it from turning back.
-    pub torque: f64,
-    /// W: weight on bit, N.
-    pub weight: f64,
-    /// Depth of cut of a blade, the mean of all, m; negative off bottom.
-    pub depth_of_cut: f64,
-    /// Whether any blade touches rock.
-    pub touches: bool,
-}
-
-/// The law with its constants at hand.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct CuttingForces {
-    /// k_t, N m/m.
-    torque: f64,
-    /// β, m.
-    flat_radius: f64,
-    /// λ, m/rad.
-    relief: f64,
-    grip: Grip,
-    /// Angle from a blade to the one before, rad: of each, or the one of all.
-    angles: Vec<f64>,
-}
-
-/// Steps of a solver, far more than it takes.
-const MOST_STEPS: usize = 160;
-
-/// A law is met where it leaves no more than this of the free speed.
-const MET: f64 = 1e-12;
-
-/// What is left of a speed is rounding, in parts of the free speed.
-const ROUNDING: f64 = 4e-15;
 
 impl Cutting {
     /// Checks that there is such a bit.
@@ -270,207 +219,4 @@ impl Cutting {
     pub(crate) fn face(&self, advance: f64) -> Face {
         Face::new(self.blade_angles(), advance)
     }
-}
-
-/// What the law answers to a rotation speed.
-#[derive(Debug, Clone, Copy)]
-struct Trial {
-    speed: f64,
-    /// r(ω) = ω_h − A_t T(ω) − ω, and its slope.
-    residual: f64,
-    slope: f64,
-    torque: f64,
-    advance: Advance,
-}
-
-impl CuttingForces {
-    /// Meets both load lines of a step.
-    pub(crate) fn meet(
-        &self,
-        place: &BitPlace,
-        face: &Face,
-        line: LoadLine,
-        axial: &AxialLine,
-    ) -> CutStep {
-        let at = |speed: f64| self.try_speed(speed, place, face, line, axial);
-        let held = at(0.0);
-        // Where flats land all at once, or a blade meets the ledge at the end of its own cut, torque
-        // jumps: what it is follows from the load line.
-        let step = |trial: Trial| {
-            let is_met = trial.residual.abs() <= MET * line.free_speed.abs();
-            let torque = match is_met {
-                true => trial.torque,
-                false => (line.free_speed - trial.speed) / line.compliance,
-            };
-            CutStep {
-                torque,
-                ..self.step(trial)
-            }
-        };
-        if line.free_speed <= 0.0 {
-            // Rock keeps a bit from turning back; in the air it does.
-            return match held.advance.touches {
-                true => self.stuck(line, held),
-                false => CutStep {
-                    speed: line.free_speed,
-                    torque: 0.0,
-                    ..self.step(at(line.free_speed))
-                },
-            };
-        }
-        let is_steep = self.may_be_steep(place, face, line, axial);
-        if is_steep && place.speed > 0.0 {
-            if let Some(found) = self.fastest(place, face, (line, axial), &at) {
-                return step(found);
-            }
-        }
-        if held.residual <= 0.0 {
-            return self.stuck(line, held);
-        }
-        let guess = place.speed.clamp(0.0, line.free_speed);
-        step(solve(held, line.free_speed, guess, at))
-    }
-
-    /// Whether the torque may fall with speed as steeply as the load line, as the rock before the bit
-    /// rises, which relief bounds: then more than one speed may meet both.
-    fn may_be_steep(
-        &self,
-        place: &BitPlace,
-        face: &Face,
-        line: LoadLine,
-        axial: &AxialLine,
-    ) -> bool {
-        let growth = Some(self.grip.growth).filter(|growth| growth.is_finite());
-        let per_depth = self.torque + self.flat_radius * growth.unwrap_or(0.0);
-        let per_rise = line.compliance * per_depth * axial.within;
-        let reach = || place.angle + axial.within * line.free_speed;
-        per_rise * self.relief >= 1.0 && per_rise * face.steepest(place.angle, reach()) >= 1.0
-    }
-
-    /// The fastest speed that meets both lines, from the ends of straight pieces of the face.
-    fn fastest(
-        &self,
-        place: &BitPlace,
-        face: &Face,
-        (line, axial): (LoadLine, &AxialLine),
-        at: &impl Fn(f64) -> Trial,
-    ) -> Option<Trial> {
-        let reach = place.angle + axial.within * line.free_speed;
-        let mut above = line.free_speed;
-        for angle in face.corners_between(place.angle, reach) {
-            let trial = at((angle - place.angle) / axial.within);
-            if trial.residual > 0.0 {
-                return Some(solve(trial, above, above, at));
-            }
-            above = trial.speed;
-        }
-        None
-    }
-
-    fn stuck(&self, line: LoadLine, held: Trial) -> CutStep {
-        CutStep {
-            speed: 0.0,
-            torque: line.free_speed / line.compliance,
-            ..self.step(held)
-        }
-    }
-
-    fn step(&self, trial: Trial) -> CutStep {
-        let Advance {
-            rate,
-            weight,
-            depth_of_cut,
-            touches,
-            ..
-        } = trial.advance;
-        CutStep {
-            speed: trial.speed,
-            rate,
-            torque: trial.torque,
-            weight,
-            depth_of_cut,
-            touches,
-        }
-    }
-
-    fn try_speed(
-        &self,
-        speed: f64,
-        place: &BitPlace,
-        face: &Face,
-        line: LoadLine,
-        axial: &AxialLine,
-    ) -> Trial {
-        let angle = place.angle + axial.within * speed;
-        let blades = self.angles.len();
-        let mut gaps = [advance::Gap::default(); MOST_PROFILES];
-        for (blade, gap) in gaps[..blades].iter_mut().enumerate() {
-            let (rock, rise) = face.ahead(blade, angle);
-            *gap = advance::Gap {
-                depth: place.depth - rock,
-                change: -axial.within * rise,
-            };
-        }
-        let gaps = &gaps[..blades];
-        let nearest = gaps
-            .iter()
-            .fold(f64::NEG_INFINITY, |near, gap| near.max(gap.depth));
-        let free = (place.deepest - place.depth).max(-nearest).max(0.0);
-        let bound = advance::Bound {
-            rate: match speed > 0.0 {
-                true => self.relief * speed,
-                false => 0.0,
-            } + free / axial.step,
-            change: self.relief,
-        };
-        let advance = self.grip.meet(axial, gaps, bound);
-        let flat = advance.weight - self.grip.weight * advance.cut;
-        let (flat, flat_change) = if flat < 0.0 {
-            (0.0, 0.0)
-        } else if flat > advance.most_on_flats {
-            (advance.most_on_flats, advance.most_change)
-        } else {
-            let change = advance.weight_change - self.grip.weight * advance.cut_change;
-            (flat, change)
-        };
-        let torque = self.torque * advance.cut + self.flat_radius * flat;
-        let change = self.torque * advance.cut_change + self.flat_radius * flat_change;
-        Trial {
-            speed,
-            residual: line.free_speed - line.compliance * torque - speed,
-            slope: -1.0 - line.compliance * change,
-            torque,
-            advance,
-        }
-    }
-}
-
-/// The speed between that of a trial, where the residual is positive, and one above, where it is
-/// not, by Newton's method from a guess, kept between both.
-fn solve(low: Trial, high: f64, guess: f64, at: impl Fn(f64) -> Trial) -> Trial {
-    let (mut low, mut high) = (low.speed, high);
-    let scale = high.abs().max(f64::MIN_POSITIVE);
-    let mut next = guess;
-    let mut found = at(next);
-    let mut before = f64::INFINITY;
-    for _ in 0..MOST_STEPS {
-        if found.residual.abs() <= ROUNDING * scale || high - low <= ROUNDING * scale {
-            break;
-        }
-        if found.residual > 0.0 {
-            low = found.speed;
-        } else {
-            high = found.speed;
-        }
-        let newton = found.speed - found.residual / found.slope;
-        // A corner may make it creep.
-        let creeps = found.residual.abs() > 0.5 * before;
-        next = match newton > low && newton < high && !creeps {
-            true => newton,
-            false => 0.5 * (low + high),
-        };
-        before = found.residual.abs();
-        found = at(next);
-    }
-    found
 }

@@ -12,6 +12,8 @@ pub struct Face {
     depths: Vec<Vec<f64>>,
     /// From each blade to the one before, rad.
     apart: Vec<f64>,
+    /// A place near the one that the first blade meets next.
+    near: usize,
     /// How the rock rises before all of that, m/rad: as blades leave it that advance steadily.
     advance: f64,
 }
@@ -23,6 +25,7 @@ impl Face {
             angles: vec![0.0],
             depths: vec![vec![0.0]; apart.len()],
             apart,
+            near: 0,
             advance,
         }
     }
@@ -61,16 +64,22 @@ impl Face {
         (low + rise * (angle - from), rise)
     }
 
-    /// The first angle that is not below one. Blades are close together, so it is looked for from the
-    /// end.
+    /// The first angle that is not below one, looked for from where a blade's edge was last.
     fn place_of(&self, angle: f64) -> usize {
         let count = self.angles.len();
+        let (mut low, mut high) = (self.near, self.near);
         let mut reach = 1;
-        while reach < count && self.angles[count - reach] > angle {
+        while high < count && self.angles[high] < angle {
+            low = high + 1;
+            high = (high + reach).min(count);
             reach *= 2;
         }
-        let from = count.saturating_sub(reach);
-        from + self.angles[from..].partition_point(|it| *it < angle)
+        while low > 0 && self.angles[low - 1] >= angle {
+            high = low - 1;
+            low = low.saturating_sub(reach);
+            reach *= 2;
+        }
+        low + self.angles[low..high].partition_point(|it| *it < angle)
     }
 
     /// Angles of the bit at which a piece of the rock before a blade ends, from a far one back.
@@ -115,6 +124,9 @@ impl Face {
             depths.push(depth.max(found));
         }
         self.angles.push(angle);
+        self.near = self
+            .place_of(angle - self.apart[0])
+            .min(self.angles.len() - 1);
     }
 
     /// Bytes of a case of a number of steps.

@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::laws::torque::LoadLine;
 
 /// A bit on load lines that change at random from step to step.
 #[derive(Debug, Clone)]
