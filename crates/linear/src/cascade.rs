@@ -72,6 +72,8 @@ pub struct Cascade {
     pub sampling_frequency: f64,
     /// The longest time that may be simulated with it, s.
     pub longest_time: f64,
+    /// Whether its loss has a memory: then responses last about as long as a case.
+    pub loss_has_memory: bool,
     /// From the surface to the uppermost node.
     pub top: Top,
     /// Between each node and the next.
@@ -213,6 +215,7 @@ impl<'a> CascadePlan<'a> {
                 .map(|span| impedance(string, span))
                 .collect(),
             has_drive: string.top_drive().is_some(),
+            loss_has_memory: string.loss().has_memory(),
             nodes: nodes.len(),
         };
         Ok(Self {
@@ -290,6 +293,7 @@ struct Pieces {
     /// Reference impedances, N m s/rad.
     impedances: Vec<f64>,
     has_drive: bool,
+    loss_has_memory: bool,
     nodes: usize,
 }
 
@@ -385,6 +389,7 @@ impl Pieces {
             nodes: nodes.clone(),
             sampling_frequency,
             longest_time,
+            loss_has_memory: self.loss_has_memory,
             top,
             links,
             end: (self.impedances.get(self.nodes)).map(|&impedance| End {
