@@ -4,7 +4,8 @@
 //! Responses between all nodes grow with the square of their number, and each lasts as long as
 //! the string rings. What a single piece does lasts only as long as a wave takes through it:
 //! here are the taps of the waves that it reflects and transmits ([`Link`]), and the stepper passes
-//! the waves from piece to piece. By `quadrature`, and by `finite-element`, which replace the
+//! the waves from piece to piece. Where loss has a memory, what it remembers lasts longer, up to the
+//! end of a case. By `quadrature`, and by `finite-element`, which replace the
 //! Laplace variable by a function of the shift in time, joining pieces and making taps may change
 //! places: the motion is that of the responses of the whole string, up to rounding and what decayed
 //! taps are cut off.

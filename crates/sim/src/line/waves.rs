@@ -28,14 +28,14 @@ impl Sums {
 #[derive(Debug, Clone)]
 pub(super) enum Responses<const PORTS: usize> {
     Direct(Vec<Kernel>),
-    ByBlocks(Kernels),
+    ByBlocks(Box<Kernels>),
 }
 
 /// The waves of a case into the ports of a piece.
 #[derive(Debug)]
 pub(super) enum Waves<'a, const PORTS: usize> {
     Direct(&'a [Kernel], [Recent; PORTS]),
-    ByBlocks(Convolution<'a>),
+    ByBlocks(Box<Convolution<'a>>),
 }
 
 impl<const PORTS: usize> Responses<PORTS> {
@@ -49,7 +49,7 @@ impl<const PORTS: usize> Responses<PORTS> {
             Sums::ByBlocks => {
                 let to = |output: usize| (0..PORTS).map(|input| taps[output + input]).collect();
                 let square: Vec<Vec<&[f64]>> = (0..PORTS).map(to).collect();
-                Self::ByBlocks(Kernels::of(&square))
+                Self::ByBlocks(Box::new(Kernels::of(&square)))
             }
         }
     }
@@ -70,7 +70,9 @@ impl<const PORTS: usize> Responses<PORTS> {
                 let none = std::array::from_fn(|_| Recent::none(reach));
                 Waves::Direct(kernels, none)
             }
-            Self::ByBlocks(kernels) => Waves::ByBlocks(Convolution::new(kernels, 1, steps)),
+            Self::ByBlocks(kernels) => {
+                Waves::ByBlocks(Box::new(Convolution::new(kernels, 1, steps)))
+            }
         }
     }
 
