@@ -4,7 +4,8 @@
 //! Responses between all nodes grow with the square of their number, and each lasts as long as
 //! the string rings. What a single piece does lasts only as long as a wave takes through it:
 //! here are the taps of the waves that it reflects and transmits ([`Link`]), and the stepper passes
-//! the waves from piece to piece. By `quadrature`, and by `finite-element`, which replace the
+//! the waves from piece to piece. Where loss has a memory, what it remembers lasts longer, up to the
+//! end of a case. By `quadrature`, and by `finite-element`, which replace the
 //! Laplace variable by a function of the shift in time, joining pieces and making taps may change
 //! places: the motion is that of the responses of the whole string, up to rounding and what decayed
 //! taps are cut off.
@@ -71,6 +72,8 @@ pub struct Cascade {
     pub sampling_frequency: f64,
     /// The longest time that may be simulated with it, s.
     pub longest_time: f64,
+    /// Whether its loss has a memory: then responses last about as long as a case.
+    pub loss_has_memory: bool,
     /// From the surface to the uppermost node.
     pub top: Top,
     /// Between each node and the next.
@@ -212,6 +215,7 @@ impl<'a> CascadePlan<'a> {
                 .map(|span| impedance(string, span))
                 .collect(),
             has_drive: string.top_drive().is_some(),
+            loss_has_memory: string.loss().has_memory(),
             nodes: nodes.len(),
         };
         Ok(Self {
@@ -289,6 +293,7 @@ struct Pieces {
     /// Reference impedances, N m s/rad.
     impedances: Vec<f64>,
     has_drive: bool,
+    loss_has_memory: bool,
     nodes: usize,
 }
 
@@ -384,6 +389,7 @@ impl Pieces {
             nodes: nodes.clone(),
             sampling_frequency,
             longest_time,
+            loss_has_memory: self.loss_has_memory,
             top,
             links,
             end: (self.impedances.get(self.nodes)).map(|&impedance| End {

@@ -32,7 +32,7 @@ use linear::budget::{Budget, Need, OutOfBudget, REAL, What};
 use linear::{ChannelResponses, Responses, SteppedPlan};
 
 use crate::laws::cutting::{Face, MOST_PROFILES};
-use crate::line::pieces::Pieces;
+use crate::line::pieces::{Pieces, Sums};
 use crate::line::{Bending, Torsion};
 use crate::shortcuts::BitAlone;
 use crate::surface::SurfaceResponse;
@@ -68,7 +68,11 @@ enum Line {
         motion: f64,
     },
     /// Pieces between a number of nodes, of responses of a number of taps.
-    Pieces { nodes: usize, taps: usize },
+    Pieces {
+        nodes: usize,
+        taps: usize,
+        sums: Sums,
+    },
 }
 
 /// Inputs and taps of a channel.
@@ -118,10 +122,11 @@ impl SimulatorPlan {
         Self::of(line, steps)
     }
 
-    /// Of a string in pieces between a number of nodes, by responses of a number of taps
-    /// ([`crate::Simulator::in_pieces`]).
-    pub fn in_pieces(nodes: usize, taps: usize, steps: f64) -> Self {
-        Self::of(Line::Pieces { nodes, taps }, steps)
+    /// Of a string in pieces between a number of nodes, whose loss has a memory or not, by responses
+    /// of a number of taps ([`crate::Simulator::in_pieces`]).
+    pub fn in_pieces(nodes: usize, taps: usize, loss_has_memory: bool, steps: f64) -> Self {
+        let sums = Sums::of(loss_has_memory);
+        Self::of(Line::Pieces { nodes, taps, sums }, steps)
     }
 
     fn of(line: Line, steps: f64) -> Self {
@@ -176,7 +181,7 @@ impl SimulatorPlan {
                     + Torsion::instant_bytes(sites)
                     + Bending::instant_bytes(sites)
             }
-            Line::Pieces { nodes, taps } => Pieces::bytes(nodes, taps, self.steps),
+            Line::Pieces { nodes, taps, sums } => Pieces::bytes(nodes, taps, self.steps, sums),
         };
         let along = self
             .axial
@@ -208,7 +213,7 @@ impl SimulatorPlan {
                 let loads = Torsion::load_bytes(sites, steps) + Bending::load_bytes(sites, steps);
                 motion + loads + 2.0 * Torsion::instant_bytes(sites)
             }
-            Line::Pieces { nodes, taps } => Pieces::past_bytes(nodes, taps),
+            Line::Pieces { nodes, taps, sums } => Pieces::past_bytes(nodes, taps, steps, sums),
         };
         let bending = self
             .bending

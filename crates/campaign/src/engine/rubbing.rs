@@ -42,7 +42,12 @@ pub(super) fn ask(
         let cascade = CascadePlan::new(string, method, &friction.nodes, frequency, time)?;
         cascade.ask(&passing)?;
         let taps = cascade.taps();
-        let simulator = bends(SimulatorPlan::in_pieces(nodes, taps, plan.steps()));
+        let simulator = bends(SimulatorPlan::in_pieces(
+            nodes,
+            taps,
+            string.loss().has_memory(),
+            plan.steps(),
+        ));
         simulator.ask(budget)?;
         return Ok(Stepping {
             simulator,
@@ -99,7 +104,8 @@ pub(super) fn build(
         let plan = CascadePlan::new(string, method, &friction.nodes, frequency, longest_time)?;
         let cascade = plan.build(&passing)?;
         let taps = cascade.longest_response();
-        bends(SimulatorPlan::in_pieces(nodes, taps, steps)).ask(budget)?;
+        let has_memory = cascade.loss_has_memory;
+        bends(SimulatorPlan::in_pieces(nodes, taps, has_memory, steps)).ask(budget)?;
         (System::in_pieces(&cascade, profile, inertia)?, None)
     } else {
         let request = request(setting, friction, longest_time);

@@ -5,8 +5,8 @@ use linear::Cascade;
 use linear::budget::REAL;
 
 use super::chain::Chain;
-use super::waves::{EndKernel, LinkKernels, Waves};
-use crate::convolution::Kernel;
+pub(crate) use super::waves::Sums;
+use super::waves::{EndKernel, LinkKernels, Responses, Waves};
 use crate::error::SimulationError;
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
@@ -27,12 +27,12 @@ pub(crate) struct Pieces {
     sent: Vec<f64>,
     /// Torque that turns the surface, but for what waves from below add.
     torque: Vec<f64>,
-    torque_by_wave: Kernel,
+    torque_by_wave: Responses<1>,
     /// The speed that the surface is set to.
     set: Vec<f64>,
     /// Speed of the surface, but for what waves from below add.
     speed: Vec<f64>,
-    speed_by_wave: Option<Kernel>,
+    speed_by_wave: Option<Responses<1>>,
 }
 
 /// What turns the surface in a step.
@@ -48,11 +48,14 @@ pub struct SurfaceStep {
 #[derive(Debug)]
 pub(crate) struct PiecesPast<'a> {
     pieces: &'a Pieces,
-    /// Waves that have gone into the ports: up from the uppermost, into top and bottom of each
-    /// link, and down from the lowest.
-    up: Waves,
-    into: Vec<[Waves; 2]>,
-    down: Waves,
+    /// Waves up from the uppermost port, that come back, make a torque at the surface and turn it.
+    up: Waves<'a, 1>,
+    makes_torque: Waves<'a, 1>,
+    turns: Option<Waves<'a, 1>>,
+    /// Into top and bottom of each link.
+    into: Vec<Waves<'a, 2>>,
+    /// Down from the lowest.
+    down: Option<Waves<'a, 1>>,
     /// What comes out of each port in this step but for what goes in within it.
     out_of_top: f64,
     out_of: Vec<[f64; 2]>,
@@ -65,20 +68,23 @@ pub(crate) struct PiecesPast<'a> {
 /// they are made by hold at the same time.
 const SERIES: f64 = 8.0;
 
+/// Responses of waves into a single port: up from the uppermost, and down from the lowest.
+const INTO_ONE: f64 = 4.0;
+
 /// Numbers for each port that a case holds: speeds, torques, what drives it, its law and its motion.
 const PORT: f64 = 32.0;
 
 impl Pieces {
     /// Bytes of a number of ports, of responses of a number of taps, for a number of steps.
-    pub(crate) fn bytes(ports: usize, taps: usize, steps: f64) -> f64 {
-        let kernels = LinkKernels::RESPONSES * (ports + 2);
-        REAL * ((kernels * taps) as f64 + SERIES * steps)
+    pub(crate) fn bytes(ports: usize, taps: usize, steps: f64, sums: Sums) -> f64 {
+        let of_links = ports as f64 * Responses::<2>::bytes(taps, sums);
+        of_links + INTO_ONE * Responses::<1>::bytes(taps, sums) + REAL * SERIES * steps
     }
 
-    /// Bytes of a case.
-    pub(crate) fn past_bytes(ports: usize, taps: usize) -> f64 {
-        let waves = 2 * Waves::room(taps);
-        REAL * ports as f64 * (PORT + waves as f64)
+    /// Bytes of a case of a number of steps.
+    pub(crate) fn past_bytes(ports: usize, taps: usize, steps: f64, sums: Sums) -> f64 {
+        let of_port = Responses::<2>::past_bytes(taps, steps, sums) + REAL * PORT;
+        ports as f64 * of_port + INTO_ONE * Responses::<1>::past_bytes(taps, steps, sums)
     }
 
     /// Prepares a string in pieces for a surface that turns by a profile; a motor that holds the
@@ -95,9 +101,12 @@ impl Pieces {
         let set: Vec<f64> = (0..steps)
             .map(|step| profile.at(sampling.time_of(step)))
             .collect();
-        let top = EndKernel::new(cascade.top.impedance, &cascade.top.reflection);
-        let links: Vec<LinkKernels> = cascade.links.iter().map(LinkKernels::new).collect();
-        let end = (cascade.end.as_ref()).map(|end| EndKernel::new(end.impedance, &end.reflection));
+        let sums = Sums::of(cascade.loss_has_memory);
+        let top = EndKernel::new(cascade.top.impedance, &cascade.top.reflection, sums);
+        let links = cascade.links.iter();
+        let links: Vec<_> = links.map(|link| LinkKernels::new(link, sums)).collect();
+        let end =
+            (cascade.end.as_ref()).map(|end| EndKernel::new(end.impedance, &end.reflection, sums));
         let mut torque = convolved_with(&cascade.top.torque_by_set, &set);
         if rotor_inertia > 0.0 {
             for (step, torque) in torque.iter_mut().enumerate() {
@@ -106,14 +115,17 @@ impl Pieces {
         }
         let (speed, speed_by_wave) = match &cascade.top.speed {
             None => (set.clone(), None),
-            Some([by_set, by_wave]) => (convolved_with(by_set, &set), Some(Kernel::new(by_wave))),
+            Some([by_set, by_wave]) => {
+                let by_wave = Responses::new(&[by_wave], sums);
+                (convolved_with(by_set, &set), Some(by_wave))
+            }
         };
         Ok(Self {
             ports: (0..cascade.nodes.len()).collect(),
             chain: chain(&top, &links, end.as_ref()),
             sent: convolved_with(&cascade.top.sent, &set),
             torque,
-            torque_by_wave: Kernel::new(&cascade.top.torque_by_wave),
+            torque_by_wave: Responses::new(&[&cascade.top.torque_by_wave], sums),
             set,
             speed,
             speed_by_wave,
@@ -148,22 +160,17 @@ fn chain(top: &EndKernel, links: &[LinkKernels], end: Option<&EndKernel>) -> Cha
 }
 
 impl<'a> PiecesPast<'a> {
-    /// At rest.
-    pub(crate) fn empty(pieces: &'a Pieces) -> Self {
-        let mut at_top = vec![&pieces.top.reflection, &pieces.torque_by_wave];
-        at_top.extend(&pieces.speed_by_wave);
-        let end: Vec<_> = pieces.end.iter().map(|end| &end.reflection).collect();
-        let of_link = |link: &LinkKernels| {
-            [
-                Waves::none(&[&link.top, &link.across]),
-                Waves::none(&[&link.across, &link.bottom]),
-            ]
-        };
+    /// At rest, before a number of steps at most.
+    pub(crate) fn empty(pieces: &'a Pieces, steps: usize) -> Self {
+        let (by_wave, end) = (pieces.speed_by_wave.as_ref(), pieces.end.as_ref());
+        let links = pieces.links.iter();
         Self {
             pieces,
-            up: Waves::none(&at_top),
-            into: pieces.links.iter().map(of_link).collect(),
-            down: Waves::none(&end),
+            up: pieces.top.reflection.none(steps),
+            makes_torque: pieces.torque_by_wave.none(steps),
+            turns: by_wave.map(|by_wave| by_wave.none(steps)),
+            into: links.map(|link| link.responses.none(steps)).collect(),
+            down: end.map(|end| end.reflection.none(steps)),
             out_of_top: 0.0,
             out_of: vec![[0.0; 2]; pieces.links.len()],
             out_of_end: 0.0,
@@ -187,20 +194,18 @@ impl<'a> PiecesPast<'a> {
         self.surface_speed = surface_speed.unwrap_or(0.0);
         driving.fill(0.0);
         let sent = self.surface_speed * pieces.sent[step];
-        self.out_of_top = sent + self.up.sum(&pieces.top.reflection);
+        self.out_of_top = sent + self.up.out()[0];
         driving[0] = 2.0 * pieces.top.inverse() * self.out_of_top;
-        for (port, (link, [at_top, at_bottom])) in pieces.links.iter().zip(&self.into).enumerate() {
-            let out = [
-                at_top.sum(&link.top) + at_bottom.sum(&link.across),
-                at_top.sum(&link.across) + at_bottom.sum(&link.bottom),
-            ];
+        for (port, (link, into)) in pieces.links.iter().zip(&self.into).enumerate() {
+            let out = into.out();
             let drives = link.solved(out);
             driving[port] += 2.0 * drives[0];
             driving[port + 1] += 2.0 * drives[1];
             self.out_of[port] = out;
         }
-        if let (Some(end), Some(last)) = (&pieces.end, driving.last_mut()) {
-            self.out_of_end = self.down.sum(&end.reflection);
+        let end = pieces.end.as_ref().zip(self.down.as_ref());
+        if let (Some((end, down)), Some(last)) = (end, driving.last_mut()) {
+            [self.out_of_end] = down.out();
             *last += 2.0 * end.inverse() * self.out_of_end;
         }
     }
@@ -211,23 +216,27 @@ impl<'a> PiecesPast<'a> {
         let top = &pieces.top;
         let up = top.inverse() * (top.impedance * speed(0) - self.out_of_top);
         let scale = self.surface_speed;
-        let by_wave = |kernel: &Kernel| self.up.sum(kernel) + kernel.instant() * up;
-        self.surface = SurfaceStep {
-            torque: scale * pieces.torque[step] + by_wave(&pieces.torque_by_wave),
-            speed: scale * pieces.speed[step] + pieces.speed_by_wave.as_ref().map_or(0.0, by_wave),
+        let by_wave = |responses: &Responses<1>, waves: &mut Waves<'_, 1>| {
+            let [past] = waves.out();
+            waves.push([up]);
+            past + responses.instant(0, 0) * up
         };
-        self.up.push(up);
+        let turns = pieces.speed_by_wave.as_ref().zip(self.turns.as_mut());
+        self.surface = SurfaceStep {
+            torque: scale * pieces.torque[step]
+                + by_wave(&pieces.torque_by_wave, &mut self.makes_torque),
+            speed: scale * pieces.speed[step]
+                + turns.map_or(0.0, |(responses, waves)| by_wave(responses, waves)),
+        };
+        self.up.push([up]);
         let ports = self.into.iter_mut().zip(&self.out_of);
         for (port, (link, (into, out))) in pieces.links.iter().zip(ports).enumerate() {
             let wave = |end: usize| link.impedance * speed(port + end) - out[end];
-            let [at_top, at_bottom] = link.solved([wave(0), wave(1)]);
-            into[0].push(at_top);
-            into[1].push(at_bottom);
+            into.push(link.solved([wave(0), wave(1)]));
         }
-        if let Some(end) = &pieces.end {
+        if let Some((end, down)) = pieces.end.as_ref().zip(self.down.as_mut()) {
             let speed = speed(pieces.links.len());
-            self.down
-                .push(end.inverse() * (end.impedance * speed - self.out_of_end));
+            down.push([end.inverse() * (end.impedance * speed - self.out_of_end)]);
         }
     }
 
@@ -239,9 +248,9 @@ impl<'a> PiecesPast<'a> {
         speeds: &[f64],
         torques: impl Iterator<Item = f64>,
     ) -> impl Iterator<Item = [f64; 2]> {
-        let top = (self.pieces.top.impedance, self.up.last());
+        let top = (self.pieces.top.impedance, self.up.last(0));
         let links = std::iter::zip(&self.pieces.links, &self.into);
-        let links = links.map(|(link, [_, at_bottom])| (link.impedance, at_bottom.last()));
+        let links = links.map(|(link, into)| (link.impedance, into.last(1)));
         let ports = std::iter::once(top).chain(links);
         let loaded = std::iter::zip(speeds, torques);
         std::iter::zip(ports, loaded).map(|((impedance, wave), (speed, torque))| {

@@ -83,7 +83,7 @@ impl TorsionLine {
     pub(crate) fn past(&self, steps: usize) -> TorsionPast<'_> {
         match self {
             Self::Whole(whole) => TorsionPast::Whole(whole, whole.from_torques.past(steps)),
-            Self::Pieces(pieces) => TorsionPast::Pieces(PiecesPast::empty(pieces)),
+            Self::Pieces(pieces) => TorsionPast::Pieces(PiecesPast::empty(pieces, steps)),
         }
     }
 }

@@ -5,6 +5,7 @@ use linear::{Cascade, ChannelRequest, Drillstring, Method, Request, Sites, TopDr
 use problems::academic;
 use problems::masses::MassesAndSprings;
 use problems::pipes;
+use problems::wells::{Draw, with_loss};
 use sim::{
     BitTorque, LoadLine, PipeFriction, Recording, Scene, Simulator, Start, Stopping,
     SurfaceProfile, SurfaceTorque, Timing, TorqueLaw, Trajectory,
@@ -68,7 +69,7 @@ fn cascade(
     Simulator::in_pieces(&cascade, &SurfaceProfile::default(), 0.0).unwrap()
 }
 
-/// Two sections of joints and collars, a drive or none.
+/// Two sections of joints and collars, a drive or none, and in mud.
 fn strings() -> Vec<Drillstring> {
     let drive = TopDrive {
         inertia: 2900.0,
@@ -78,9 +79,14 @@ fn strings() -> Vec<Drillstring> {
     let jointed = academic::string();
     vec![
         jointed.clone().with_top_drive(drive).unwrap(),
-        jointed,
+        jointed.clone(),
         pipes::row(160, 0.0),
         academic::damped_string(1.0),
+        with_loss(
+            &jointed.clone().with_top_drive(drive).unwrap(),
+            &mut Draw::new(1),
+        ),
+        with_loss(&jointed, &mut Draw::new(2)),
     ]
 }
 
