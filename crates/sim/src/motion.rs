@@ -62,7 +62,8 @@ impl Motion {
 ///
 /// let cases = PerMotion::from_fn(|motion| match motion {
 ///     Motion::Torsion => 120,
-///     _ => 80,
+///     Motion::Lateral => 80,
+///     Motion::Axial => 0,
 /// });
 /// assert_eq!((cases[Motion::Torsion], cases[Motion::Lateral]), (120, 80));
 /// assert_eq!(cases.iter().map(|(_, cases)| cases).sum::<i32>(), 200);

@@ -21,6 +21,7 @@
 //!     start: Start::Rest,
 //!     bit: Some(BitTorque { torque_static: 900.0, torque_dynamic: 1000.0, decay_speed: 0.0 }),
 //!     friction: Vec::new(),
+//!     axial: None,
 //!     lateral: None,
 //!     timing: Timing { duration: 10.0, closing_window: 2.0 },
 //! };
