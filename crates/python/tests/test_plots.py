@@ -154,8 +154,8 @@ def test_a_grid_of_three_axes_is_cut_in_units_of_the_file(tmp_path):
 def test_wrong_arguments_are_refused_in_words(table):
     with pytest.raises(ds.DrillstringError, match="is no column: there are case, method"):
         table.plot(y="period")
-    with pytest.raises(ds.DrillstringError, match="motion \"axial\": not torsion or lateral"):
-        table.plot("axial")
+    with pytest.raises(ds.DrillstringError, match="motion \"sideways\": not torsion or lateral"):
+        table.plot("sideways")
     with pytest.raises(ds.DrillstringError, match="`Sweep.simulate\\(0\\).plot\\(\\)` draws one"):
         ds.Sweep.read("sweeps/fig08b.toml").run().plot()
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from ._drillstring import Simulation
 
-MOTIONS = ("torsion", "lateral")
+MOTIONS = ("torsion", "lateral", "axial")
 
 # Marker of matplotlib, whether it is filled, and its line in parts of its radius.
 MARKERS = {

@@ -42,7 +42,7 @@ class Curve:
     """An analytic limit of a motion: of one axis along another."""
 
     name: str
-    motion: str  #: "torsion" or "lateral"
+    motion: str  #: "torsion", "lateral" or "axial"
     along: str
     limited: str
     colour: str | None  #: of the method whose limit it is
