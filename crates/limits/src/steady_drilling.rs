@@ -91,8 +91,8 @@ fn between(ends: &[f64], one: bool, lasts: impl Fn(f64) -> Option<bool>) -> f64 
     0.5 * (low + high)
 }
 
-/// Limits at one weight after the other as lines: each continues to what is nearest at the next weight, unless that
-/// is further than a few `step`s of speed.
+/// Limits at one weight after the other as lines: each continues to what is nearest at the next
+/// weight, unless that is further than a few `step`s of speed.
 fn branches(limits: Vec<Vec<[f64; 2]>>, step: f64) -> Vec<Vec<[f64; 2]>> {
     const NEAR: f64 = 4.0;
     let mut branches: Vec<Vec<[f64; 2]>> = Vec::new();
@@ -139,7 +139,8 @@ impl Cuts<'_> {
         let speed = conditions.surface_speed()?;
         let string = &self.sweep.setting.string;
         let steady = self.settings.steady(string, &cutting, speed, feed);
-        (steady.rate > 0.0).then(|| steady.cut(&cutting))
+        let drills = steady.rate > 0.0;
+        drills.then(|| steady.cut(&cutting)).flatten()
     }
 }
 

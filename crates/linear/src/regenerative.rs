@@ -114,8 +114,8 @@ const ENOUGH: f64 = 0.5;
 /// By how much resonances beyond the samples may be sharper than those of the last octave.
 const SHARPER: f64 = 2.0;
 
-/// Most steps along the axis: some seconds of work, and 48 MB.
-const MOST_SAMPLES: usize = 1 << 20;
+/// Most steps along the axis: some seconds of work, and 24 MB.
+const MOST_SAMPLES: usize = 1 << 19;
 
 /// Samples that are made at once, and groups of them that a core makes in one go.
 const BLOCK: usize = 4096;
@@ -221,6 +221,8 @@ impl<'a> CuttingLoop<'a> {
         let own;
         let samples = match self.end(&self.samples, cut) {
             Some(_) => &self.samples,
+            // As many as are made at all have not been enough.
+            None if self.samples.values.len() >= MOST_SAMPLES => return None,
             None => {
                 own = self.sample(cut);
                 &own

@@ -21,8 +21,8 @@ pub(crate) struct AxialMotion<'a> {
     place: BitPlace,
     face: Face,
     line: AxialLine,
-    /// s.
-    step: f64,
+    /// The least angle from one blade to the next, rad.
+    apart: f64,
     /// Disturbance of this step, N m and N.
     kick: [f64; 2],
 }
@@ -32,7 +32,7 @@ impl<'a> AxialMotion<'a> {
     /// penetrating steadily.
     ///
     /// # Errors
-    /// Where the system has no axial motion, or a step may turn the bit past a blade.
+    /// Where the system has no axial motion.
     pub(crate) fn new(
         system: &'a System,
         scene: &'a Axial,
@@ -42,11 +42,8 @@ impl<'a> AxialMotion<'a> {
         let lines = system.axial.as_ref().ok_or(SimulationError::NoAxialInput)?;
         let advance = speed.map_or(0.0, |speed| scene.start_rate / speed);
         let apart = scene.cutting.blade_angles();
-        let depth = |angle: f64| advance * angle;
-        let steady = speed.map(|_| {
-            let mean = apart.iter().map(|angle| depth(*angle)).sum::<f64>() / apart.len() as f64;
-            [scene.start_rate, scene.cutting.steady(mean)[1]]
-        });
+        let mean = std::f64::consts::TAU / scene.cutting.blades() as f64;
+        let steady = speed.map(|_| [scene.start_rate, scene.cutting.steady(advance * mean)[1]]);
         let step = system.sampling.frequency.recip();
         let within = step * (1.0 - system.sampling.collocation_offset);
         Ok(Self {
@@ -66,7 +63,7 @@ impl<'a> AxialMotion<'a> {
                 within,
                 step,
             },
-            step,
+            apart: apart.into_iter().fold(f64::INFINITY, f64::min),
             kick: [0.0; 2],
         })
     }
@@ -95,28 +92,23 @@ impl<'a> AxialMotion<'a> {
         self.forces.meet(&self.place, &self.face, line, &self.line)
     }
 
+    /// Whether the bit turns past a blade before the law is met: then it cuts what is not there.
+    pub(crate) fn passes_a_blade(&self, speed: f64) -> bool {
+        self.line.within * speed.abs() >= self.apart
+    }
+
     /// Ends a step with what the bit did.
     pub(crate) fn end_step(&mut self, cut: &CutStep) {
         let weight = self.steady.map_or(0.0, |[_, weight]| weight);
         self.past.add(&[weight - cut.weight + self.kick[1]]);
         let place = &mut self.place;
-        place.angle += self.step * cut.speed;
-        place.depth += self.step * cut.rate;
+        place.angle += self.line.step * cut.speed;
+        place.depth += self.line.step * cut.rate;
         place.speed = cut.speed;
         self.face.leave(place.angle, place.depth);
         if cut.speed > 0.0 || place.depth > place.deepest {
             place.deepest = place.depth;
         }
-    }
-
-    /// Where the bit is at the end of the last step.
-    pub(crate) fn place(&self) -> &BitPlace {
-        &self.place
-    }
-
-    /// The rock that it has left.
-    pub(crate) fn face(&self) -> &Face {
-        &self.face
     }
 }
 

@@ -51,7 +51,7 @@ use crate::error::SimulationError;
 use crate::lateral_motion::LateralMotion;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
-use crate::laws::cutting::{BitPlace, CutStep, Face};
+use crate::laws::cutting::CutStep;
 use crate::laws::pipe::{OnLines, PipeFriction, PipeMotion};
 use crate::laws::torque::{BitMotion, LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
@@ -244,6 +244,12 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             // No other port has to agree with the bit.
             (Within::All(torsion), None) if self.friction.is_empty() => self.meet_bit(torsion)?,
             _ => self.meet_all()?,
+        }
+        if let (Some((axial, _)), Some(cut)) = (&self.axial, &self.now.cut) {
+            if axial.passes_a_blade(cut.speed) {
+                let time = self.now.time;
+                return Err(SimulationError::PastABlade { time });
+            }
         }
         self.end_step();
         self.next += 1;
@@ -514,12 +520,6 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     pub(crate) fn bit_torque(&self) -> Option<f64> {
         let by_law = self.now.bit.as_ref().map(|bit| bit.torque);
         by_law.or(self.now.cut.map(|cut| -cut.torque))
-    }
-
-    /// Where a bit that cuts stands at the end of the last step, and the rock that it has left.
-    pub fn cut_place(&self) -> Option<(&BitPlace, &Face)> {
-        let (axial, _) = self.axial.as_ref()?;
-        Some((axial.place(), axial.face()))
     }
 
     /// What the walls did in the last step.

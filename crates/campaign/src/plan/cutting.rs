@@ -68,17 +68,20 @@ pub struct SteadyDrilling {
 }
 
 impl SteadyDrilling {
-    /// As small motion about it feels the rock.
-    pub fn cut(&self, cutting: &Cutting) -> SteadyCut {
+    /// As small motion about it feels the rock; `None` of uneven blades, whose delays differ.
+    pub fn cut(&self, cutting: &Cutting) -> Option<SteadyCut> {
+        let Blades::Even(_) = cutting.blades else {
+            return None;
+        };
         let advance = self.rate / self.speed;
         let apart = std::f64::consts::TAU / cutting.blades() as f64;
         let [torque, weight] = cutting.steady_stiffnesses(advance * apart);
-        SteadyCut {
+        Some(SteadyCut {
             delay: apart / self.speed,
             advance,
             torque,
             weight,
-        }
+        })
     }
 }
 

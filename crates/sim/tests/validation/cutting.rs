@@ -543,3 +543,39 @@ fn two_lumps([speed, rate]: [f64; 2], change: f64, (step, duration): (f64, f64))
         },
     )
 }
+
+/// A step in which the bit would turn past a blade has no answer: it is refused, with its time.
+#[test]
+fn val_a_step_past_a_blade_is_an_error() {
+    let (string, rod, damping) = strings(&[pipe(2000.0)], [0.7, -0.7]);
+    let system = system(&string, &rod, (1.0, 60.0), 0.0);
+    let scene: Scene = Scene {
+        surface_speed: 20.0,
+        start: Start::Rest,
+        bit: None,
+        friction: Vec::new(),
+        axial: Some(sim::Axial {
+            cutting: bit(4e6, 2e-3),
+            feed: 20e3 / damping,
+            start_rate: 0.0,
+            kick: None,
+        }),
+        lateral: None,
+        timing: Timing {
+            duration: 60.0,
+            closing_window: 10.0,
+        },
+    };
+    let mut stepper = Stepper::new(&system, &scene).unwrap();
+    let error = loop {
+        match stepper.step() {
+            Ok(Some(_)) => {}
+            Ok(None) => panic!("it went to its end"),
+            Err(error) => break error,
+        }
+    };
+    assert!(
+        matches!(error, sim::SimulationError::PastABlade { .. }),
+        "{error}"
+    );
+}

@@ -55,7 +55,11 @@ impl Face {
                 self.advance,
             );
         }
-        let above = self.place_of(angle).min(self.angles.len() - 1);
+        if angle >= self.furthest() {
+            // Past the blade: a step that ends there is refused.
+            return (depths[depths.len() - 1], 0.0);
+        }
+        let above = self.place_of(angle);
         let ([from, to], [low, high]) = (
             [self.angles[above - 1], self.angles[above]],
             [depths[above - 1], depths[above]],
