@@ -300,6 +300,30 @@ impl CuttingSettings {
         }
     }
 
+    /// Refuses a sampling frequency (Hz) at which a bit that turns at a speed (rad/s) passes a blade in
+    /// half a step.
+    ///
+    /// # Errors
+    /// With the least that is needed.
+    pub fn check_sampling(
+        &self,
+        source: &Source,
+        speed: f64,
+        frequency: f64,
+    ) -> Result<(), SweepFileError> {
+        let apart = match &self.blades {
+            Blades::Uneven(angles) => angles.iter().copied().fold(f64::INFINITY, f64::min),
+            _ => std::f64::consts::TAU / self.blades() as f64,
+        };
+        let least = 0.5 * speed / apart;
+        let message = format!(
+            "{frequency} Hz is too low for these blades: one passes in half a step. Write more than \
+             {:.0} Hz, or leave the key out: the frequency then follows from blades and string",
+            least.ceil()
+        );
+        source.refuse_if(frequency <= least, "sampling_frequency_hz", message)
+    }
+
     /// The bit in a rock.
     pub fn bit_in(&self, law: CuttingLaw) -> Cutting {
         Cutting {

@@ -178,6 +178,9 @@ impl Setting {
         };
         let (sampling_frequency, steps_per_travel) =
             sampling::resolve(source, content, &string, &needs, counted)?;
+        if let (Some(cutting), Some(cut)) = (&cutting, circumstances.cut()) {
+            cutting.check_sampling(source, cut.fastest_surface(), sampling_frequency)?;
+        }
         let setting = Self {
             string,
             sites,

@@ -320,6 +320,7 @@ fn what_does_not_go_with_a_bit_that_cuts_is_refused_by_its_key() {
             before("methods = [\"held\", \"finite-element\"]\ncertify = true"),
             "certify",
         ),
+        (before("sampling_frequency_hz = 5"), "sampling_frequency_hz"),
         (after("relief_deg = 80"), "bit.cutting.relief_deg"),
         (
             after("blade_angles_deg = [180, 180]"),
