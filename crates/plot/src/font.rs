@@ -2,102 +2,73 @@
 
 use std::sync::LazyLock;
 
-use skrifa::charmap::Charmap;
-use skrifa::instance::{LocationRef, Size};
-use skrifa::metrics::GlyphMetrics;
-use skrifa::outline::pen::PathElement;
-use skrifa::outline::{DrawSettings, OutlineGlyphCollection};
-use skrifa::{FontRef, GlyphId, MetadataProvider};
+use tiny_skia::{PathSegment, Point};
+use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 /// Latin-1, Greek, sub- and superscripts of DejaVu Sans.
 pub(crate) static FILE: &[u8] = include_bytes!("fonts/DejaVuSans.ttf");
 /// The family name inside [`FILE`].
 pub(crate) const FAMILY: &str = "DejaVu Sans";
 
-static FONT: LazyLock<Font> = LazyLock::new(Font::read);
+/// [`FILE`] is part of the program: it is a font.
+static FONT: LazyLock<Face<'static>> =
+    LazyLock::new(|| Face::parse(FILE, 0).expect("the embedded file is a font"));
 
-struct Font {
-    letters: Charmap<'static>,
-    widths: GlyphMetrics<'static>,
-    outlines: OutlineGlyphCollection<'static>,
-    /// A font size in the units of all lengths in the file.
-    em: f32,
+/// A font size in the units of all lengths in the file.
+fn em() -> f32 {
+    f32::from(FONT.units_per_em())
 }
 
-impl Font {
-    /// Reads [`FILE`], which is part of the program: it is a font.
-    fn read() -> Self {
-        let font = FontRef::new(FILE).expect("the embedded file is a font");
-        let (size, location) = (Size::unscaled(), LocationRef::default());
-        Self {
-            letters: font.charmap(),
-            widths: font.glyph_metrics(size, location),
-            outlines: font.outline_glyphs(),
-            em: f32::from(font.metrics(size, location).units_per_em),
-        }
-    }
-
-    /// What stands for a letter, or for one that the font lacks.
-    fn glyph(&self, letter: char) -> GlyphId {
-        self.letters.map(letter).unwrap_or(GlyphId::NOTDEF)
-    }
+/// What stands for a letter, or for one that the font lacks.
+fn glyph(letter: char) -> GlyphId {
+    FONT.glyph_index(letter).unwrap_or(GlyphId(0))
 }
 
 /// The distance from a letter to the next, in font sizes.
 pub(crate) fn advance(letter: char) -> f32 {
-    let width = FONT.widths.advance_width(FONT.glyph(letter));
-    width.unwrap_or(0.0) / FONT.em
+    let width = FONT.glyph_hor_advance(glyph(letter));
+    f32::from(width.unwrap_or(0)) / em()
 }
 
 /// The outline of a letter that begins at the origin, each place given by `place` from x and y in
 /// font sizes, y upwards from the baseline.
-pub(crate) fn outline(letter: char, place: impl Fn(f32, f32) -> (f32, f32)) -> Vec<PathElement> {
-    let mut path = Vec::new();
-    if let Some(outline) = FONT.outlines.get(FONT.glyph(letter)) {
-        let unscaled = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
-        // An outline that cannot be read is left out: a test reads all.
-        let _ = outline.draw(unscaled, &mut path);
-    }
-    let place = |x: f32, y: f32| place(x / FONT.em, y / FONT.em);
-    path.into_iter()
-        .map(|element| placed(element, place))
-        .collect()
+pub(crate) fn outline(letter: char, place: impl Fn(f32, f32) -> (f32, f32)) -> Vec<PathSegment> {
+    let mut pen = Pen {
+        place: |x: f32, y: f32| place(x / em(), y / em()).into(),
+        path: Vec::new(),
+    };
+    // A letter without an outline is a blank.
+    let _ = FONT.outline_glyph(glyph(letter), &mut pen);
+    pen.path
 }
 
-fn placed(element: PathElement, place: impl Fn(f32, f32) -> (f32, f32)) -> PathElement {
-    match element {
-        PathElement::MoveTo { x, y } => {
-            let (x, y) = place(x, y);
-            PathElement::MoveTo { x, y }
-        }
-        PathElement::LineTo { x, y } => {
-            let (x, y) = place(x, y);
-            PathElement::LineTo { x, y }
-        }
-        PathElement::QuadTo { cx0, cy0, x, y } => {
-            let ((cx0, cy0), (x, y)) = (place(cx0, cy0), place(x, y));
-            PathElement::QuadTo { cx0, cy0, x, y }
-        }
-        PathElement::CurveTo {
-            cx0,
-            cy0,
-            cx1,
-            cy1,
-            x,
-            y,
-        } => {
-            let ((cx0, cy0), (cx1, cy1)) = (place(cx0, cy0), place(cx1, cy1));
-            let (x, y) = place(x, y);
-            PathElement::CurveTo {
-                cx0,
-                cy0,
-                cx1,
-                cy1,
-                x,
-                y,
-            }
-        }
-        PathElement::Close => PathElement::Close,
+/// Collects an outline, each place given by `place` from x and y in the units of the file.
+struct Pen<P> {
+    place: P,
+    path: Vec<PathSegment>,
+}
+
+impl<P: Fn(f32, f32) -> Point> OutlineBuilder for Pen<P> {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.path.push(PathSegment::MoveTo((self.place)(x, y)));
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.path.push(PathSegment::LineTo((self.place)(x, y)));
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        let [by, end] = [(x1, y1), (x, y)].map(|(x, y)| (self.place)(x, y));
+        self.path.push(PathSegment::QuadTo(by, end));
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        let [one, two, end] = [(x1, y1), (x2, y2), (x, y)].map(|(x, y)| (self.place)(x, y));
+        self.path.push(PathSegment::CubicTo(one, two, end));
+    }
+
+    fn close(&mut self) {
+        self.path.push(PathSegment::Close);
     }
 }
 
@@ -105,7 +76,7 @@ fn placed(element: PathElement, place: impl Fn(f32, f32) -> (f32, f32)) -> PathE
 mod tests {
     use super::*;
 
-    fn drawn(letter: char) -> Vec<PathElement> {
+    fn drawn(letter: char) -> Vec<PathSegment> {
         outline(letter, |x, y| (x, y))
     }
 
@@ -120,13 +91,19 @@ mod tests {
         assert!(drawn(' ').is_empty());
     }
 
+    /// All but the two blanks and what stands for a letter that the font lacks.
     #[test]
     fn every_outline_of_the_font_can_be_read() {
-        for (_, outline) in FONT.outlines.iter() {
-            let unscaled = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
-            let mut path: Vec<PathElement> = Vec::new();
-            outline.draw(unscaled, &mut path).expect("read");
-        }
+        let is_blank = |glyph| {
+            let mut pen = Pen {
+                place: |x, y| Point { x, y },
+                path: Vec::new(),
+            };
+            FONT.outline_glyph(GlyphId(glyph), &mut pen).is_none()
+        };
+        let blanks = (0..FONT.number_of_glyphs()).filter(|&glyph| is_blank(glyph));
+        let known = ['\u{10FFFD}', ' ', '\u{a0}'].map(|letter| glyph(letter).0);
+        assert_eq!(blanks.collect::<Vec<_>>(), known);
     }
 
     /// As the file has it, of 2048 units.

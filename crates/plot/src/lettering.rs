@@ -1,6 +1,6 @@
 //! Lines of text: where their letters stand, and what is set below the line.
 
-use skrifa::outline::pen::PathElement;
+use tiny_skia::PathSegment;
 
 use super::font;
 use super::geometry::Pixel;
@@ -34,7 +34,7 @@ pub(crate) struct TextLine {
 
 impl TextLine {
     /// The outlines of its letters, in pixels of the picture.
-    pub fn outlines(&self) -> Vec<PathElement> {
+    pub fn outlines(&self) -> Vec<PathSegment> {
         let letters = letters(&self.text);
         let width = letters.last().map_or(0.0, |last| last.end);
         let start = match self.align {
@@ -135,9 +135,9 @@ mod tests {
             upwards: false,
         };
         let mut ends = [f32::INFINITY, f32::NEG_INFINITY];
-        for element in line.outlines() {
-            if let PathElement::LineTo { x, .. } | PathElement::QuadTo { x, .. } = element {
-                ends = [ends[0].min(x), ends[1].max(x)];
+        for segment in line.outlines() {
+            if let PathSegment::LineTo(end) | PathSegment::QuadTo(_, end) = segment {
+                ends = [ends[0].min(end.x), ends[1].max(end.x)];
             }
         }
         ends
@@ -180,10 +180,9 @@ mod tests {
         let (level, upright) = (line(false).outlines(), line(true).outlines());
         assert!(level.len() > 20 && level.len() == upright.len());
         for pair in level.iter().zip(&upright) {
-            if let (PathElement::LineTo { x, y }, PathElement::LineTo { x: right, y: down }) = pair
-            {
-                assert!((right - 100.0 - (y - 50.0)).abs() < 0.015);
-                assert!((down - 50.0 + (x - 100.0)).abs() < 0.015);
+            if let (PathSegment::LineTo(level), PathSegment::LineTo(upright)) = pair {
+                assert!((upright.x - 100.0 - (level.y - 50.0)).abs() < 0.015);
+                assert!((upright.y - 50.0 + (level.x - 100.0)).abs() < 0.015);
             }
         }
     }

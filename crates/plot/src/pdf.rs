@@ -4,8 +4,8 @@ use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use pdf_writer::types::LineJoinStyle;
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref};
-use skrifa::outline::pen::PathElement;
 use std::io::{self, Write};
+use tiny_skia::{PathSegment, Point};
 
 use super::colours::{BLACK, Colour, Fill, WHITE};
 use super::geometry::Pixel;
@@ -174,39 +174,29 @@ fn add_circle(content: &mut Content, (x, y): Pixel, radius: f64) {
 }
 
 /// A quadratic curve is the cubic one whose inner points are two thirds of the way to its own.
-fn add_outlines(content: &mut Content, letters: &[PathElement]) {
-    let mut at = (0.0, 0.0);
-    for element in letters {
-        match *element {
-            PathElement::MoveTo { x, y } => {
-                content.move_to(x, y);
-                at = (x, y);
+fn add_outlines(content: &mut Content, letters: &[PathSegment]) {
+    let mut at = Point::zero();
+    for segment in letters {
+        match *segment {
+            PathSegment::MoveTo(end) => {
+                content.move_to(end.x, end.y);
+                at = end;
             }
-            PathElement::LineTo { x, y } => {
-                content.line_to(x, y);
-                at = (x, y);
+            PathSegment::LineTo(end) => {
+                content.line_to(end.x, end.y);
+                at = end;
             }
-            PathElement::QuadTo { cx0, cy0, x, y } => {
+            PathSegment::QuadTo(by, end) => {
                 let inner = |from: f32, by: f32| from + 2.0 / 3.0 * (by - from);
-                let (one, two) = (
-                    (inner(at.0, cx0), inner(at.1, cy0)),
-                    (inner(x, cx0), inner(y, cy0)),
-                );
-                content.cubic_to(one.0, one.1, two.0, two.1, x, y);
-                at = (x, y);
+                let [one, two] = [at, end].map(|from| (inner(from.x, by.x), inner(from.y, by.y)));
+                content.cubic_to(one.0, one.1, two.0, two.1, end.x, end.y);
+                at = end;
             }
-            PathElement::CurveTo {
-                cx0,
-                cy0,
-                cx1,
-                cy1,
-                x,
-                y,
-            } => {
-                content.cubic_to(cx0, cy0, cx1, cy1, x, y);
-                at = (x, y);
+            PathSegment::CubicTo(one, two, end) => {
+                content.cubic_to(one.x, one.y, two.x, two.y, end.x, end.y);
+                at = end;
             }
-            PathElement::Close => {
+            PathSegment::Close => {
                 content.close_path();
             }
         }

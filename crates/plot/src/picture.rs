@@ -119,7 +119,7 @@ pub(crate) mod tests {
     use super::super::geometry::Pixel;
     use super::super::shapes::{Shape, Stroke};
     use super::*;
-    use skrifa::outline::pen::PathElement;
+    use tiny_skia::PathSegment;
 
     /// Fails unless all that is filled, text among it, lies inside the picture.
     pub fn assert_text_inside(picture: &Picture) {
@@ -147,14 +147,14 @@ pub(crate) mod tests {
                 let outlines = line.outlines();
                 let is_blank = line.text.trim().is_empty();
                 assert!(is_blank || !outlines.is_empty(), "{line:?}");
-                let places = outlines.into_iter().filter_map(|element| match element {
-                    PathElement::MoveTo { x, y }
-                    | PathElement::LineTo { x, y }
-                    | PathElement::QuadTo { x, y, .. }
-                    | PathElement::CurveTo { x, y, .. } => Some((x.into(), y.into())),
-                    PathElement::Close => None,
+                let ends = outlines.into_iter().filter_map(|segment| match segment {
+                    PathSegment::MoveTo(end)
+                    | PathSegment::LineTo(end)
+                    | PathSegment::QuadTo(_, end)
+                    | PathSegment::CubicTo(_, _, end) => Some((end.x.into(), end.y.into())),
+                    PathSegment::Close => None,
                 });
-                places.collect()
+                ends.collect()
             }
         }
     }

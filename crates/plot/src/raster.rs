@@ -1,8 +1,8 @@
 //! A picture in pixels of a screen or a printer.
 
-use skrifa::outline::pen::PathElement;
 use tiny_skia::{
-    Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
+    Color, FillRule, LineJoin, Paint, Path, PathBuilder, PathSegment, Pixmap, Stroke, StrokeDash,
+    Transform,
 };
 
 use super::colours::{BLACK, Fill};
@@ -104,22 +104,17 @@ fn circle((x, y): Pixel, radius: f64) -> Option<Path> {
     PathBuilder::from_circle(x as f32, y as f32, radius as f32)
 }
 
-fn outlines(letters: &[PathElement]) -> Option<Path> {
+fn outlines(letters: &[PathSegment]) -> Option<Path> {
     let mut path = PathBuilder::new();
-    for element in letters {
-        match *element {
-            PathElement::MoveTo { x, y } => path.move_to(x, y),
-            PathElement::LineTo { x, y } => path.line_to(x, y),
-            PathElement::QuadTo { cx0, cy0, x, y } => path.quad_to(cx0, cy0, x, y),
-            PathElement::CurveTo {
-                cx0,
-                cy0,
-                cx1,
-                cy1,
-                x,
-                y,
-            } => path.cubic_to(cx0, cy0, cx1, cy1, x, y),
-            PathElement::Close => path.close(),
+    for segment in letters {
+        match *segment {
+            PathSegment::MoveTo(end) => path.move_to(end.x, end.y),
+            PathSegment::LineTo(end) => path.line_to(end.x, end.y),
+            PathSegment::QuadTo(by, end) => path.quad_to(by.x, by.y, end.x, end.y),
+            PathSegment::CubicTo(one, two, end) => {
+                path.cubic_to(one.x, one.y, two.x, two.y, end.x, end.y);
+            }
+            PathSegment::Close => path.close(),
         }
     }
     path.finish()
