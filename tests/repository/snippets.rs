@@ -87,6 +87,11 @@ const SNIPPETS: [Snippet; 19] = [
         "well_b_survey.csv",
         After::Base("well_b_drilling.toml"),
     ),
+    snippet(
+        "docs/well.md",
+        "speed_at_stall_rpm",
+        After::Base("well_12in.toml"),
+    ),
 ];
 
 const fn snippet(page: &'static str, known_by: &'static str, after: After) -> Snippet {

@@ -23,7 +23,8 @@ pub struct BitResonance {
     /// The torque on the bit may fall by this with its speed before vibration grows, N m s/rad.
     pub steepest_fall_nms_rad: f64,
     /// Below this speed it falls more steeply, by the law of the bit at the largest torque of all
-    /// cases, rpm; empty where it never does.
+    /// cases, rpm; empty where it never does, and below a motor, through which the bit feels another
+    /// string.
     pub grows_below_rpm: Option<f64>,
 }
 
@@ -45,7 +46,7 @@ pub fn bit_resonances(sweep: &Sweep) -> Result<Vec<BitResonance>, DrillstringErr
 /// The speed (rpm) at which the torque of the bit falls by this with its speed, N m s/rad, at the
 /// largest torque of all cases.
 fn speed_of_growth(sweep: &Sweep, fall: f64) -> Option<f64> {
-    let bit = sweep.bit.as_ref()?;
+    let bit = (sweep.bit.as_ref()).filter(|_| sweep.setting.motor.is_none())?;
     let mut conditions = sweep.conditions.clone();
     for (place, &axis) in sweep.design.axes().iter().enumerate() {
         if matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm) {

@@ -47,15 +47,16 @@ pub enum BoundaryError {
 }
 
 /// The limit over the range of the design's axes: of whirl where friction at every site is
-/// one of them, else of stick-slip; without points where neither applies, or where other axes
-/// give each case its own limit.
+/// one of them, else of stick-slip; without points where neither applies, below a motor, which has
+/// no such limit in closed form, or where other axes give each case its own.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, BoundaryError> {
     // Every string and every law of the bit has its own limits.
     let axes = sweep.design.axes();
-    if sweep.design.varies_string() || axes.iter().any(|axis| axis.changes_bit()) {
+    let has_motor = sweep.setting.motor.is_some();
+    if has_motor || sweep.design.varies_string() || axes.iter().any(|axis| axis.changes_bit()) {
         return Ok(Boundary::StickSlip(Vec::new()));
     }
     if let (Some(lateral), Some(_)) = (
@@ -166,8 +167,9 @@ fn smooth_rotation_points(sweep: &Sweep, bit: &Bit, position: usize) -> Vec<Stic
 /// # Errors
 /// Where a rock's table does not reach.
 pub fn exact_stick_slip_limit(sweep: &Sweep, weights: [f64; 2]) -> Result<Boundary, BoundaryError> {
-    let is_one =
-        !sweep.design.varies_string() && !sweep.design.axes().iter().any(|axis| axis.changes_bit());
+    let is_one = sweep.setting.motor.is_none()
+        && !sweep.design.varies_string()
+        && !sweep.design.axes().iter().any(|axis| axis.changes_bit());
     let undershoot = exact_undershoot(&sweep.setting.string).ok();
     let points = match (&sweep.bit, undershoot.filter(|_| is_one)) {
         (Some(bit), Some(undershoot)) => {

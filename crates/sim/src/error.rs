@@ -53,6 +53,12 @@ pub enum SimulationError {
         /// Time of the step, s.
         time: f64,
     },
+    /// A case with a motor begins otherwise than at rest.
+    #[error("a bit below a motor begins at rest")]
+    SteadyWithMotor,
+    /// A string with a motor has walls: what touches them below the motor turns faster than the string.
+    #[error("a string with a motor has no walls")]
+    WallsWithMotor,
     /// The scene has walls, but the responses no bending.
     #[error("the scene has walls, but the responses were built without bending")]
     NoForceInput,

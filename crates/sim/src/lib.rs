@@ -115,6 +115,7 @@ pub use label::{Label, Labels};
 pub use laws::bit::BitTorque;
 pub use laws::contact::WallLaw;
 pub use laws::cutting::{Blades, Cutting, FlatContact};
+pub use laws::motor::MudMotor;
 pub use laws::pipe::PipeFriction;
 pub use laws::rock::Rock;
 pub use laws::table::TabulatedFriction;

@@ -5,6 +5,7 @@ use crate::axial_motion::AxialMotion;
 use crate::coupling::{Load, Solved};
 use crate::laws::contact::{Approach, Contact, ContactError, Resistance, Spin, WallLaw};
 use crate::laws::cutting::CutStep;
+use crate::laws::motor::{MotorMotion, StringEnd, meet_below};
 use crate::laws::pipe::{OnLines, PipeMotion};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::sampling::Sampling;
@@ -33,10 +34,10 @@ impl LateralLine {
 pub(crate) enum PortTorque<'a, B: TorqueLaw> {
     /// None acts.
     Free,
-    /// That of the bit.
-    Bit(&'a B, &'a B::State),
+    /// That of the bit, below a motor where there is one.
+    Bit(&'a B, &'a B::State, Option<&'a MotorMotion>),
     /// That of a bit that cuts.
-    Cut(&'a AxialMotion<'a>),
+    Cut(&'a AxialMotion<'a>, Option<&'a MotorMotion>),
     /// Friction of the pipe along its well.
     Pipe(&'a OnLines, &'a PipeMotion),
 }
@@ -45,8 +46,8 @@ pub(crate) enum PortTorque<'a, B: TorqueLaw> {
 #[derive(Debug, Clone)]
 pub(crate) enum Turned<S> {
     Free,
-    Bit(TorqueStep<S>),
-    Cut(CutStep),
+    Bit(TorqueStep<S>, StringEnd),
+    Cut(CutStep, StringEnd),
     Pipe(TorqueStep<PipeMotion>),
 }
 
@@ -64,8 +65,7 @@ impl<S> Turned<S> {
     fn torque(&self) -> f64 {
         match self {
             Self::Free => 0.0,
-            Self::Bit(step) => step.torque,
-            Self::Cut(step) => -step.torque,
+            Self::Bit(_, end) | Self::Cut(_, end) => end.torque,
             Self::Pipe(step) => step.torque,
         }
     }
@@ -74,11 +74,33 @@ impl<S> Turned<S> {
     fn speed(&self) -> Option<f64> {
         match self {
             Self::Free => None,
-            Self::Bit(step) => Some(step.speed),
-            Self::Cut(step) => Some(step.speed),
+            Self::Bit(_, end) | Self::Cut(_, end) => Some(end.speed),
             Self::Pipe(step) => Some(step.speed),
         }
     }
+}
+
+/// What a bit under a law does, and the end of its string.
+#[inline]
+pub(crate) fn meet_bit<B: TorqueLaw>(
+    law: &B,
+    before: &B::State,
+    motor: Option<&MotorMotion>,
+    line: LoadLine,
+) -> (TorqueStep<B::State>, StringEnd) {
+    let act = |line| law.meet(before, line);
+    meet_below(motor, line, act, |bit| [bit.torque, bit.speed])
+}
+
+/// What a bit that cuts does, and the end of its string.
+#[inline]
+pub(crate) fn meet_cut(
+    axial: &AxialMotion,
+    motor: Option<&MotorMotion>,
+    line: LoadLine,
+) -> (CutStep, StringEnd) {
+    let act = |line| axial.meet(line);
+    meet_below(motor, line, act, |cut| [-cut.torque, cut.speed])
 }
 
 impl<B: TorqueLaw> PortTorque<'_, B> {
@@ -87,8 +109,14 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
     fn meet(&self, line: LoadLine, guess: f64) -> Turned<B::State> {
         match self {
             Self::Free => Turned::Free,
-            Self::Bit(law, before) => Turned::Bit(law.meet(before, line)),
-            Self::Cut(axial) => Turned::Cut(axial.meet(line)),
+            Self::Bit(law, before, motor) => {
+                let (bit, end) = meet_bit(*law, before, *motor, line);
+                Turned::Bit(bit, end)
+            }
+            Self::Cut(axial, motor) => {
+                let (cut, end) = meet_cut(axial, *motor, line);
+                Turned::Cut(cut, end)
+            }
             Self::Pipe(law, before) => Turned::Pipe(law.meet(before, line.free_speed, guess.abs())),
         }
     }
@@ -97,9 +125,9 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
     fn largest_drop(&self) -> Option<f64> {
         match self {
             Self::Free => None,
-            Self::Bit(law, _) => Some(law.largest_drop()),
+            Self::Bit(law, ..) => Some(law.largest_drop()),
             // Its torque is continuous in the speed.
-            Self::Cut(_) => Some(0.0),
+            Self::Cut(..) => Some(0.0),
             Self::Pipe(law, _) => Some(law.largest_drop()),
         }
     }
@@ -108,7 +136,7 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
     /// as if it stayed.
     fn fall(&self, speed: f64) -> f64 {
         match self {
-            Self::Free | Self::Bit(..) | Self::Cut(_) => 0.0,
+            Self::Free | Self::Bit(..) | Self::Cut(..) => 0.0,
             Self::Pipe(law, _) => law.fall(speed.abs()),
         }
     }

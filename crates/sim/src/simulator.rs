@@ -48,6 +48,7 @@ use linear::{Cascade, Responses, SteppedString};
 
 use crate::error::SimulationError;
 use crate::laws::contact::WallLaw;
+use crate::laws::motor::MudMotor;
 use crate::laws::torque::TorqueLaw;
 use crate::outcome::{Outcome, Stopping};
 use crate::scene::Scene;
@@ -132,6 +133,19 @@ impl Simulator {
             follows_torque,
             ..self
         }
+    }
+
+    /// The same with a mud motor between the string's end and the bit, below which no step is left
+    /// out.
+    ///
+    /// # Errors
+    /// As [`System::above_motor`].
+    pub fn above_motor(self, motor: MudMotor) -> Result<Self, SimulationError> {
+        Ok(Self {
+            system: self.system.above_motor(motor)?,
+            bit_alone: None,
+            ..self
+        })
     }
 
     /// What its cases are stepped against.

@@ -52,12 +52,13 @@ use crate::lateral_motion::LateralMotion;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
 use crate::laws::cutting::CutStep;
+use crate::laws::motor::MotorMotion;
 use crate::laws::pipe::{OnLines, PipeFriction, PipeMotion};
 use crate::laws::torque::{BitMotion, LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
 use crate::line::pieces::SurfaceStep;
 use crate::line::{Torsion, TorsionPast, Within};
-use crate::port::{PortTorque, Turned};
+use crate::port::{PortTorque, Turned, meet_bit, meet_cut};
 use crate::scene::Scene;
 use crate::start::Start;
 use crate::system::System;
@@ -68,7 +69,7 @@ use crate::system::System;
 pub struct Step<S> {
     /// Time, s.
     pub time: f64,
-    /// Rotation speeds of the sites that a torque may act on, rad/s.
+    /// Rotation speeds of the sites that a torque may act on, rad/s; below a motor the bit has its own.
     pub speeds: Vec<f64>,
     /// What each site does at its wall; nothing without walls.
     pub contacts: Vec<Contact>,
@@ -102,6 +103,8 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     lateral: Option<LateralMotion<'a, W>>,
     /// Axial motion above a bit that cuts, and its port.
     axial: Option<(AxialMotion<'a>, usize)>,
+    /// What turns the bit against the string's end.
+    motor: Option<MotorMotion>,
     coupling: Coupling<'a>,
     bit_state: B::State,
     /// How the pipe rubbed in the last step.
@@ -163,6 +166,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 Some((law, port))
             }
         };
+        let motor = system.motor_from_rest(scene)?;
         let within = system.torsion.within();
         let steps = system.steps_of(scene.timing.duration);
         let axial = match &scene.axial {
@@ -201,6 +205,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             torsion: system.torsion.past(steps - first.min(steps)),
             lateral,
             axial,
+            motor,
             coupling,
             bit_state: turned.unwrap_or_default(),
             rubbed: rubbed.clone(),
@@ -339,30 +344,30 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             free_speed: self.free[port],
             compliance: torsion.instant(port, port),
         };
+        let motor = self.motor.as_ref();
         let met = match (self.bit, &self.axial) {
             (None, None) => None,
             (Some((law, port)), _) => {
-                let bit = law.meet(&self.bit_state, line(port));
-                let met = (port, bit.torque, bit.speed);
+                let (bit, end) = meet_bit(law, &self.bit_state, motor, line(port));
                 self.now.bit = Some(bit);
-                Some(met)
+                Some((port, end))
             }
             (None, Some((axial, port))) => {
-                let cut = axial.meet(line(*port));
+                let (cut, end) = meet_cut(axial, motor, line(*port));
                 self.now.cut = Some(cut);
-                Some((*port, -cut.torque, cut.speed))
+                Some((*port, end))
             }
         };
         let speeds = &mut self.now.speeds;
         match met {
             None => speeds.copy_from_slice(&self.free),
-            Some((port, torque, bit_speed)) => {
+            Some((port, end)) => {
                 let free = self.free.iter().enumerate();
                 for (speed, (index, free)) in speeds.iter_mut().zip(free) {
-                    *speed = free + torsion.instant(index, port) * torque;
+                    *speed = free + torsion.instant(index, port) * end.torque;
                 }
-                speeds[port] = bit_speed;
-                self.coupling.set_torque(port, torque);
+                speeds[port] = end.speed;
+                self.coupling.set_torque(port, end.torque);
             }
         }
         match speeds.iter().position(|speed| !speed.is_finite()) {
@@ -380,6 +385,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             within,
             lateral,
             axial,
+            motor,
             coupling,
             bit_state,
             rubbed,
@@ -388,14 +394,15 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             ..
         } = self;
         let (system, lateral, time) = (*system, lateral.as_ref(), now.time);
+        let motor = motor.as_ref();
         let free = Free {
             positions: lateral.map_or(&[], LateralMotion::free_positions),
             turning: free,
         };
         let settled = coupling.settle(free, |port, unloaded: Unloaded| {
             let torque = match (&*bit, &*axial, friction.get(port)) {
-                (Some((law, at)), _, _) if *at == port => PortTorque::Bit(*law, &*bit_state),
-                (_, Some((axial, at)), _) if *at == port => PortTorque::Cut(axial),
+                (Some((law, at)), _, _) if *at == port => PortTorque::Bit(*law, &*bit_state, motor),
+                (_, Some((axial, at)), _) if *at == port => PortTorque::Cut(axial, motor),
                 (_, _, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
                 _ => PortTorque::Free,
             };
@@ -432,8 +439,8 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             now.speeds[port] = turn.speed;
             match turn.law {
                 Turned::Free => {}
-                Turned::Bit(bit) => now.bit = Some(bit),
-                Turned::Cut(cut) => now.cut = Some(cut),
+                Turned::Bit(bit, _) => now.bit = Some(bit),
+                Turned::Cut(cut, _) => now.cut = Some(cut),
                 Turned::Pipe(pipe) => now.rubbing[port] = pipe.state,
             }
             Ok(solved)
@@ -447,6 +454,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     /// From this step to the past.
     #[inline]
     fn end_step(&mut self) {
+        let bit_speed = self.bit_motion();
         let loads = self.coupling.loads();
         for (torque, load) in self.step_torques.iter_mut().zip(loads) {
             *torque = load.torque;
@@ -473,6 +481,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         });
         if let Some(lateral) = &mut self.lateral {
             lateral.end_step(&self.now.contacts, &self.now.speeds);
+        }
+        if let (Some(motor), Some((_, speed))) = (&mut self.motor, bit_speed) {
+            motor.end_step(speed);
         }
         if let Some(bit) = &self.now.bit {
             self.bit_state.clone_from(&bit.state);
@@ -508,6 +519,13 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     /// What the bit did in the last step.
     pub(crate) fn bit_step(&self) -> Option<&TorqueStep<B::State>> {
         self.now.bit.as_ref()
+    }
+
+    /// The port of a bit below a motor, its speed (rad/s) and what the motor passes on, N m.
+    pub(crate) fn below_motor(&self) -> Option<(usize, f64, f64)> {
+        self.motor.as_ref()?;
+        let (port, (_, speed)) = (self.bit_port()?, self.bit_motion()?);
+        Some((port, speed, -self.coupling.loads()[port].torque))
     }
 
     /// The port of the bit, where a law acts there.

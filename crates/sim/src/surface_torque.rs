@@ -92,9 +92,10 @@ impl SurfaceTorque {
             Some(steady) => steady.at_surface.at(time(step)),
         };
         let mut torques: Vec<f64> = (0..motion.times.len()).map(turning).collect();
+        let on_string = motion.torque_on_string();
         let at_bit = self.bit_site.map(|site| {
             let before = |step: usize| at_start.map_or(0.0, |it| it.at_bit.at(time(step)));
-            let loads = motion.bit_torque.iter().enumerate();
+            let loads = on_string.iter().enumerate();
             (
                 site,
                 loads.map(|(step, load)| load - before(step)).collect(),

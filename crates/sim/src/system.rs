@@ -4,11 +4,13 @@ use linear::{Cascade, ChannelResponses, ResponseError, Responses, Sites, Stepped
 
 use crate::convolution::Kernel;
 use crate::error::SimulationError;
+use crate::laws::motor::{MotorMotion, MudMotor};
 use crate::line::pieces::Pieces;
 use crate::line::torsion::Whole;
 use crate::line::{AxialLines, Bending, Channel, TorsionLine, WallPorts};
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
+use crate::scene::Scene;
 use crate::start::Start;
 use crate::surface::{SurfaceProfile, SurfaceResponse};
 
@@ -28,6 +30,8 @@ pub struct System {
     pub(crate) walls: WallPorts,
     /// Axial motion of the bit, where it is modelled.
     pub(crate) axial: Option<AxialLines>,
+    /// What turns the bit against the string's end.
+    pub(crate) motor: Option<MudMotor>,
 }
 
 /// Distances from the bit, m, within which two sites are one.
@@ -75,6 +79,7 @@ impl System {
             longest_time: responses.longest_time,
             walls: WallPorts::new(bending.map_or_else(Vec::new, |it| it.loads.clone()), ports),
             axial: None,
+            motor: None,
             from_forces: bending.map(|bending| Channel::of_taps(&bending.from_loads)),
             torsion: TorsionLine::Whole(whole),
         })
@@ -110,6 +115,7 @@ impl System {
             from_forces: Some(Channel::of_mesh(string.bending())),
             walls: WallPorts::new((0..sites).collect(), sites),
             axial: None,
+            motor: None,
         })
     }
 
@@ -133,6 +139,7 @@ impl System {
             from_forces: None,
             walls: WallPorts::new(Vec::new(), cascade.nodes.len()),
             axial: None,
+            motor: None,
         })
     }
 
@@ -196,6 +203,18 @@ impl System {
         })
     }
 
+    /// The same with a mud motor between the string's end and the bit.
+    ///
+    /// # Errors
+    /// Where there is no such motor.
+    pub fn above_motor(self, motor: MudMotor) -> Result<Self, SimulationError> {
+        motor.check()?;
+        Ok(Self {
+            motor: Some(motor),
+            ..self
+        })
+    }
+
     /// Speeds of all sites, rad/s, in a number of steps: what a start and a surface that turns at
     /// `surface_speed` (rad/s) in the end make of them and, but for sites that bear torques
     /// themselves, the torques on the bit (N m, positive with the rotation). The motion of sites
@@ -227,6 +246,24 @@ impl System {
             }
         }
         Some(speeds)
+    }
+
+    /// The motor at the start of a scene, where there is one.
+    pub(crate) fn motor_from_rest<B, W>(
+        &self,
+        scene: &Scene<B, W>,
+    ) -> Result<Option<MotorMotion>, SimulationError> {
+        let Some(motor) = self.motor else {
+            return Ok(None);
+        };
+        if scene.start != Start::Rest {
+            return Err(SimulationError::SteadyWithMotor);
+        }
+        if scene.lateral.is_some() {
+            return Err(SimulationError::WallsWithMotor);
+        }
+        let step = self.sampling.frequency.recip();
+        Ok(Some(MotorMotion::new(motor, step)))
     }
 
     /// The port of the bit, where a torque may act there.

@@ -38,6 +38,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+use std::borrow::Cow;
+
 use linear::budget::REAL;
 
 use crate::laws::contact::{Touch, WallLaw};
@@ -57,6 +59,8 @@ pub struct Trajectory {
     /// Torque on the bit, positive in the direction of rotation, N m; empty
     /// where the bit is free.
     pub bit_torque: Vec<f64>,
+    /// Torque that a motor above the bit passes on, N m; empty without one.
+    pub mud_motor_torque: Vec<f64>,
     /// What a bit that cuts does; empty without axial motion.
     pub cut: Vec<CutStep>,
     /// Torque with which the surface is turned, below a top drive that of its motor, N m; empty
@@ -94,6 +98,15 @@ impl Trajectory {
         REAL * steps * (1.0 + recorded * sites as f64)
     }
 
+    /// Torque on the lower end of the string, positive in the direction of rotation, N m: that on the
+    /// bit, or what a motor above the bit leaves to the string.
+    pub fn torque_on_string(&self) -> Cow<'_, [f64]> {
+        match self.mud_motor_torque.is_empty() {
+            true => Cow::Borrowed(&self.bit_torque),
+            false => Cow::Owned(self.mud_motor_torque.iter().map(|torque| -torque).collect()),
+        }
+    }
+
     /// Begins a case whose bit is held fast at first, by these torques per unit of
     /// surface speed; speeds are kept of the sites that may bear a load.
     pub(crate) fn begin<B, W>(&mut self, system: &System, scene: &Scene<B, W>, held: &[f64]) {
@@ -107,6 +120,7 @@ impl Trajectory {
             times: Vec::new(),
             speeds: vec![vec![0.0; held.len()]; system.torsion.loaded().len()],
             bit_torque: held.iter().map(|held| scene.surface_speed * held).collect(),
+            mud_motor_torque: Vec::new(),
             cut: Vec::new(),
             surface_torque: Vec::new(),
             site_torques: vec![Vec::new(); followed],
@@ -127,6 +141,12 @@ impl Trajectory {
         }
         for (speeds, speed) in self.speeds.iter_mut().zip(&now.speeds) {
             speeds.push(*speed);
+        }
+        if let Some((port, speed, torque)) = stepper.below_motor() {
+            self.mud_motor_torque.push(torque);
+            if let Some(last) = self.speeds[port].last_mut() {
+                *last = speed;
+            }
         }
         for (site, contact) in now.contacts.iter().enumerate() {
             self.positions[site].push(contact.position);
@@ -158,9 +178,9 @@ impl Trajectory {
         let acts =
             scene.turns_against_rock() || scene.lateral.is_some() || !scene.friction.is_empty();
         let is_whole = acts && loaded.len() == system.sites.len();
-        let driven = (!is_whole).then(|| {
-            system.driven_speeds(scene.surface_speed, &scene.start, &self.bit_torque, steps)
-        });
+        let on_string = self.torque_on_string();
+        let driven = (!is_whole)
+            .then(|| system.driven_speeds(scene.surface_speed, &scene.start, &on_string, steps));
         self.speeds = match driven.flatten() {
             None => loaded,
             Some(mut speeds) => {

@@ -159,7 +159,7 @@ impl MethodSystem {
         let steps = motion.speeds.first().map_or(0, Vec::len);
         let (system, speed) = (self.simulator.system(), case.scene.surface_speed);
         let start = case.start_of(&self.setting);
-        system.driven_speeds(speed, &start, &motion.bit_torque, steps)
+        system.driven_speeds(speed, &start, &motion.torque_on_string(), steps)
     }
 
     /// Whether what is measured of a case follows from its motion: the torque that turns a string

@@ -33,8 +33,9 @@ pub fn history_columns(sites: &Sites, motion: &Trajectory) -> Vec<HistoryColumn>
         (names.iter().zip(&motion.speeds))
             .map(|(site, speeds)| column(format!("{site}_speed_rpm"), speeds, to_rpm)),
     );
-    let driven: [(&str, &[f64], InUnit); 3] = [
+    let driven: [(&str, &[f64], InUnit); 4] = [
         ("torque_on_bit_nm", &motion.bit_torque, |torque| -torque),
+        ("mud_motor_torque_nm", &motion.mud_motor_torque, same),
         ("motor_torque_nm", &motion.surface_torque, same),
         ("surface_speed_rpm", &motion.surface_speed, to_rpm),
     ];

@@ -17,7 +17,7 @@ impl Sweep {
             self.doubts_about_well().into_iter().collect(),
             self.data.doubts.clone(),
             sheet
-                .flat_map(|sheet| sheet.doubts(self.content.units))
+                .flat_map(|sheet| sheet.doubts(self.content.units, self.content.motor.is_some()))
                 .collect(),
         ]
         .concat()

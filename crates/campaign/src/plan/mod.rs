@@ -24,6 +24,7 @@ mod in_hole;
 mod lateral;
 mod map;
 mod methods;
+mod motor;
 mod sampling;
 mod setting;
 mod sheet;

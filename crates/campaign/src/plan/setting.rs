@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use linear::estimates::torsional_travel_time;
 use linear::{Drillstring, Sites};
-use sim::SurfaceProfile;
+use sim::{MudMotor, SurfaceProfile};
 
 use super::axial_force::Hanging;
 use super::bit::{Bit, Cut};
@@ -14,6 +14,7 @@ use super::contacts::StringInHole;
 use super::cutting::{self, CuttingSettings};
 use super::data::Data;
 use super::lateral::{self, LateralSettings};
+use super::motor;
 use super::string_friction::{self, StringFriction};
 use super::{axial_force, hole, sampling, sites, string, top_drive};
 use crate::design::Design;
@@ -72,6 +73,8 @@ pub struct Setting {
     pub lateral: Option<LateralSettings>,
     /// Axial motion above a bit that cuts, where it is modelled.
     pub cutting: Option<CuttingSettings>,
+    /// What turns the bit against the end of the string, where that has a motor.
+    pub motor: Option<MudMotor>,
     /// What axes or a command line change of the string in the file.
     pub changed: Vec<(Axis, f64)>,
 }
@@ -192,6 +195,7 @@ impl Setting {
             hanging,
             lateral,
             cutting,
+            motor: motor::resolve(source, content)?,
             changed: Vec::new(),
         };
         // For an accuracy another frequency is chosen.

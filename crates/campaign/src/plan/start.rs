@@ -68,6 +68,9 @@ fn rest_only(content: &FileContent) -> Option<&'static str> {
     if content.string_friction.is_some() {
         return Some("with [string_friction] a case begins at rest: only `\"ramp\"` is possible");
     }
+    if content.motor.is_some() {
+        return Some("below a [motor] a bit begins at rest: only `\"ramp\"` is possible");
+    }
     if content.surface_speed_file.is_some() {
         return Some("the surface turns as it was recorded: only `\"ramp\"` is possible");
     }

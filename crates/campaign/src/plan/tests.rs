@@ -302,6 +302,44 @@ fn labels_are_certified_by_two_methods_that_share_no_equation() {
     );
 }
 
+#[test]
+fn what_does_not_go_with_a_mud_motor_is_refused_by_its_key() {
+    const MOTOR: &str =
+        "surface_speed_rpm = 120\n[motor]\nspeed_rpm = 100\nstall_torque_kn_m = 12\n";
+    const BIT: &str = "[bit]\ntorque_dynamic_nm = 4000\n";
+    let after = |more: &str| format!("{MOTOR}{more}\n{BIT}");
+    let before = |more: &str| format!("{more}\n{MOTOR}{BIT}");
+    for (text, key) in [
+        (
+            after("speed_at_stall_rpm = 110"),
+            "motor.speed_at_stall_rpm",
+        ),
+        (
+            after("rotor_inertia_kg_m2 = 0"),
+            "motor.rotor_inertia_kg_m2",
+        ),
+        (MOTOR.replace("= 100", "= 0") + BIT, "motor.speed_rpm"),
+        (
+            MOTOR.replace("= 12\n", "= 0\n") + BIT,
+            "motor.stall_torque_kn_m",
+        ),
+        (MOTOR.to_owned(), "motor"),
+        (before("start = \"smooth\""), "start"),
+        (before("accuracy = \"1 %\""), "accuracy"),
+        (
+            before("methods = [\"held\", \"finite-element\"]\ncertify = true"),
+            "certify",
+        ),
+    ] {
+        let found = message(&text);
+        assert!(found.contains(&format!("`{key}`: ")), "{key}: {found}");
+    }
+    let sweep = read(&(MOTOR.to_owned() + BIT)).unwrap();
+    let motor = sweep.setting.motor.unwrap();
+    assert!((motor.relative_speed(1e3) * 60.0 / std::f64::consts::TAU - 100.0).abs() < 1e-9);
+    assert_eq!(motor.rotor_inertia, 3.0);
+}
+
 const CUTTING: &str = "surface_speed_rpm = 120\n[bit]\nrock = \"sandstone\"\nweight_on_bit_kn = 60\n\
                        [bit.cutting]\nblades = 6\n";
 

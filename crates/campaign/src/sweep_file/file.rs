@@ -13,6 +13,7 @@ use super::lateral::{
 };
 use super::map::MapTable;
 use super::methods::{MethodName, MethodTables};
+use super::motor::MotorTable;
 use super::number_or::{Accuracy, AutoOr, is_false, is_zero};
 use super::start::StartName;
 use super::string::StringTable;
@@ -92,6 +93,9 @@ pub struct FileContent {
     pub string_friction: Option<StringFrictionTable>,
     /// Torque at the bit; without it the bit is free.
     pub bit: Option<BitTable>,
+    /// A mud motor between string and bit; without it the bit turns as the end of the string.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motor: Option<MotorTable>,
     /// What lets the string down above a bit with `[bit.cutting]`; left out, a hook load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub feed: Option<FeedTable>,

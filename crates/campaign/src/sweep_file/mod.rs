@@ -26,6 +26,7 @@ mod in_file_units;
 pub mod lateral;
 pub mod map;
 pub mod methods;
+pub mod motor;
 mod named_table;
 mod number_or;
 mod placed;
@@ -56,6 +57,7 @@ pub use lateral::{
 };
 pub use map::MarkTable;
 pub use methods::MethodName;
+pub use motor::MotorTable;
 pub use number_or::{Accuracy, AutoOr, per_cent};
 pub use recording::read_series;
 pub use source::{Source, TextOf};

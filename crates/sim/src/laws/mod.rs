@@ -9,6 +9,7 @@ mod contact_step;
 pub mod cutting;
 mod friction_curve;
 mod in_step;
+pub mod motor;
 mod newton;
 pub mod pipe;
 pub mod rock;

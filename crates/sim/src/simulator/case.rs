@@ -157,8 +157,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
     }
 
     /// The label that motion has settled to, if it has. A bit that cuts next to a wall has its own
-    /// regime to wait for.
+    /// regime to wait for; below a motor nothing tells it early.
     fn settles(&mut self) -> Option<Label> {
+        if self.system.motor.is_some() {
+            return None;
+        }
         let mut laws = self.scene.bit.iter();
         if !laws.all(TorqueLaw::is_autonomous) {
             return None;

@@ -7,6 +7,7 @@ mod forward_whirl;
 mod held;
 mod lines;
 mod many_sites;
+mod motor;
 mod own_law;
 mod own_regimes;
 mod pieces;

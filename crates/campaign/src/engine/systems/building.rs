@@ -255,6 +255,10 @@ impl MethodSystem {
         (begun, budget): (Stopwatch, &Budget),
     ) -> Result<Self> {
         let build_seconds = begun.seconds();
+        let simulator = match setting.motor {
+            None => simulator,
+            Some(motor) => simulator.above_motor(motor)?,
+        };
         let reaches = reaches(setting, &responses);
         let [torsion_margin, bending_margin] = responses.margins(budget)?;
         let axial_margin = responses.axial_margin()?;

@@ -105,10 +105,9 @@ axes = ["string_friction", "torsional_damping_nms_rad_m"]
 coefficient = 0.5
 "#;
 
-/// One with the tables of a bit that cuts.
+/// One with the tables of a bit that cuts, below a motor.
 const EXAMPLE_CUTTING: &str = r#"
 surface_speed_rpm = 120
-start = "smooth"
 [string]
 shear_modulus_gpa = 80
 density_kg_m3 = 7850
@@ -123,6 +122,9 @@ rock = "sandstone"
 [feed]
 kind = "speed"
 feed_m_h = 20
+[motor]
+speed_rpm = 100
+stall_torque_kn_m = 12
 "#;
 
 /// What its files have.
@@ -175,7 +177,7 @@ const fn cutting(heading: &'static str, path: &'static str) -> Chapter {
     }
 }
 
-const CHAPTERS: [Chapter; 29] = [
+const CHAPTERS: [Chapter; 30] = [
     chapter("The file itself", ""),
     chapter("`[string]`", "string"),
     chapter("`[string.bending]`", "string.bending"),
@@ -193,6 +195,7 @@ const CHAPTERS: [Chapter; 29] = [
     chapter("`[bit.law]`", "bit.law"),
     cutting("`[bit.cutting]`", "bit.cutting"),
     cutting("`[feed]`", "feed"),
+    cutting("`[motor]`", "motor"),
     chapter("`[wall]`", "wall"),
     chapter("`[[sites]]`", "sites.0"),
     chapter("`[[impulses]]`", "impulses.0"),

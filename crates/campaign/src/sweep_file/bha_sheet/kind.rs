@@ -17,11 +17,14 @@ pub enum ToolKind {
     Unknown,
 }
 
+/// What `[motor]` models.
+pub const MUD_MOTOR: &str = "a mud motor";
+
 /// Tools that are more than a tube: their words, and their name in messages.
 const NOT_MODELLED: [(&str, &str); 8] = [
-    (" motor ", "a mud motor"),
-    (" motors ", "a mud motor"),
-    (" pdm ", "a mud motor"),
+    (" motor ", MUD_MOTOR),
+    (" motors ", MUD_MOTOR),
+    (" pdm ", MUD_MOTOR),
     (" turbine ", "a turbine"),
     (" turbodrill ", "a turbine"),
     (" agitator ", "an agitator"),

@@ -17,7 +17,7 @@ use crate::quantities::Units;
 use crate::tables::Table;
 use crate::words::counted;
 use columns::{NO_LENGTH, Quantity, SheetColumns, WANTED};
-use kind::{is_from_bit, not_modelled};
+use kind::{MUD_MOTOR, is_from_bit, not_modelled};
 use rows::{SheetRow, rows_of};
 
 pub use joints::WeightCheck;
@@ -108,8 +108,8 @@ impl SheetNotes {
         self.rows.iter().filter_map(words)
     }
 
-    /// What is doubtful, each with its place.
-    pub fn doubts(&self, units: Units) -> Vec<String> {
+    /// What is doubtful, each with its place, of a file that says what its mud motor does or has none.
+    pub fn doubts(&self, units: Units, has_motor: bool) -> Vec<String> {
         let place = |row: &WeightCheck, words: &str| {
             format!("{}:{}: {}: {words}", self.file, row.line, row.name)
         };
@@ -122,10 +122,15 @@ impl SheetNotes {
             if row.is_doubtful() {
                 doubts.extend(row.words(units).map(|words| place(row, &words)));
             }
-            if let Some(tool) = not_modelled(&row.name) {
+            let tool = not_modelled(&row.name);
+            if let Some(tool) = tool.filter(|tool| !(has_motor && *tool == MUD_MOTOR)) {
+                let remedy = match tool == MUD_MOTOR {
+                    true => "; give its chart as [motor]",
+                    false => "",
+                };
                 let words = format!(
                     "{tool} is a tube of its dimensions here, and what it does is not modelled: labels \
-                     of such a string are to be doubted"
+                     of such a string are to be doubted{remedy}"
                 );
                 doubts.push(place(row, &words));
             }

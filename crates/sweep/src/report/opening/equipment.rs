@@ -24,6 +24,7 @@ pub fn equipment(results: &Results) -> Vec<(String, String)> {
         fact("Drive", drive(content)),
         fact("Mud", mud(content, &is_varied)),
     ];
+    facts.extend(motor(content).map(|text| fact("Motor", text)));
     facts.extend(well(content).map(|text| fact("Well", text)));
     facts
 }
@@ -219,6 +220,17 @@ fn controller(drive: &TopDriveTable, units: Units) -> String {
         }));
     }
     parts.join(", ")
+}
+
+fn motor(content: &FileContent) -> Option<String> {
+    let motor = content.motor.as_ref()?;
+    let torque = content.units.of(&TORQUE);
+    let stall = short(torque.number(1e3 * motor.stall_torque_kn_m));
+    Some(format!(
+        "mud motor of {} rpm without load, stalls at {stall} {}.",
+        short(motor.speed_rpm),
+        torque.name
+    ))
 }
 
 fn mud(content: &FileContent, is_varied: &dyn Fn(Axis) -> bool) -> String {
