@@ -2,61 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use linear::estimates::torsional_impedance;
 use linear::regenerative::{CuttingLoop, SteadyCut};
-use linear::{Axial, Complex64, Drillstring, Hoist, Material, Section, TopDrive, Tube};
-
-const STEEL: Material = Material {
-    shear_modulus: 80e9,
-    density: 7840.0,
-};
-
-fn pipe(length: f64) -> Tube {
-    Tube {
-        length,
-        inner_radius: 0.054,
-        outer_radius: 0.0635,
-    }
-}
-
-fn collar(length: f64) -> Tube {
-    Tube {
-        length,
-        inner_radius: 0.0286,
-        outer_radius: 0.0762,
-    }
-}
-
-/// Of these tubes from the surface down, whose upper end sends back −η of a wave in torsion and
-/// along the axis.
-fn strings(tubes: &[Tube], [eta_t, eta_a]: [f64; 2]) -> [Drillstring; 2] {
-    let section = |tube: &Tube| Section {
-        repeat: 1,
-        parts: vec![*tube],
-    };
-    let string = Drillstring::new(STEEL, tubes.iter().map(section).collect(), 0.0).unwrap();
-    let dashpot = |rod: &Drillstring, eta: f64| {
-        torsional_impedance(rod, &tubes[0]) * (1.0 + eta) / (1.0 - eta)
-    };
-    let axial = |hoist| Axial {
-        youngs_modulus: 210e9,
-        damping: 0.0,
-        hoist,
-    };
-    let free = axial(None).rod(&string).unwrap();
-    let hoist = Hoist {
-        mass: 0.0,
-        damping: dashpot(&free, eta_a),
-        stiffness: 0.0,
-    };
-    let rod = axial(Some(hoist)).rod(&string).unwrap();
-    let drive = TopDrive {
-        inertia: 0.0,
-        proportional_gain: dashpot(&string, eta_t),
-        integral_gain: 0.0,
-    };
-    [string.with_top_drive(drive).unwrap(), rod]
-}
+use linear::{Axial, Complex64, Drillstring};
+use problems::dashpots::{BelowDashpots, collar, pipe};
 
 /// A bit of four blades of a radius of 0.108 m, in phase II.
 fn cut(energy: f64, advance: f64, speed: f64, [torsion, axial]: [bool; 2]) -> SteadyCut {
@@ -144,8 +92,8 @@ fn val_limits_of_steady_drilling() {
         ),
     ];
     for (tubes, etas, energy, felt, advance, speed, frequency) in cases {
-        let [string, rod] = strings(tubes, etas);
-        let cutting = CuttingLoop::new(&string, &rod).unwrap();
+        let below = BelowDashpots::new(tubes, etas);
+        let cutting = CuttingLoop::new(&below.string, &below.rod).unwrap();
         let at = |speed: f64| cut(energy, advance, speed, felt);
         let near = [0.97 * speed, 1.03 * speed];
         let (found, omega) = cutting.limit(at, near).unwrap();
@@ -220,8 +168,8 @@ fn val_roots_of_steady_drilling_and_their_number() {
             2,
         ),
     ] {
-        let [string, rod] = strings(tubes, [0.7, 0.7]);
-        let cutting = CuttingLoop::new(&string, &rod).unwrap();
+        let below = BelowDashpots::new(tubes, [0.7, 0.7]);
+        let cutting = CuttingLoop::new(&below.string, &below.rod).unwrap();
         let cut = cut(energy, advance, speed, BOTH);
         let found = cutting
             .root(&cut, root + Complex64::new(0.01, -0.02))
