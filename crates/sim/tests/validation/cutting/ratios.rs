@@ -41,7 +41,7 @@ const FINE_STEP: f64 = 2.5e-4;
 /// Where a bit is faster than this many times its mean speed, it is taken to stick.
 const TOO_FAST: f64 = 10.0;
 
-/// All places of a map of so many rows and columns.
+/// All places of a map of a number of rows and columns.
 fn map(stiffness: f64, [rows, columns]: [usize; 2]) -> Vec<Place> {
     let log = |[from, to]: [f64; 2], at: usize, count: usize| {
         10f64.powf(from + (to - from) * at as f64 / (count - 1) as f64)
