@@ -15,7 +15,7 @@ use problems::delay_lines::{CuttingBit, Rock};
 use sim::laws::rock::CuttingLaw;
 use sim::{Blades, Cutting, FlatContact, Kick, SimulationError};
 
-use super::scene::{Drilling, given};
+use super::scene::{Drilling, given, ringing};
 
 /// A place of a map.
 #[derive(Debug, Clone, Copy)]
@@ -90,19 +90,8 @@ fn by_delay_lines(place: Place, step: f64) -> f64 {
 /// 1; it turns by 2π while the numbers without dimension count one.
 fn by_stepper(place: Place, step: f64) -> f64 {
     let count = (DURATION / step).round() as usize + 1;
-    let taps = |compliance: f64, round_trip: f64| {
-        let mut taps = vec![0.0; count];
-        taps[0] = compliance;
-        let mut sent_back = 2.0 * compliance;
-        for at in (1..).map(|trip| (trip as f64 * round_trip / step).round() as usize) {
-            if at >= count {
-                return taps;
-            }
-            sent_back *= -SENT_BACK;
-            taps[at] = sent_back;
-        }
-        taps
-    };
+    let taps =
+        |compliance: f64, round_trip: f64| ringing(compliance, round_trip / step, SENT_BACK, count);
     let cutting = Cutting {
         rock: CuttingLaw {
             bit_radius: 1.0,

@@ -77,6 +77,20 @@ pub fn given([torsion, axial]: [Vec<f64>; 2], step: f64) -> Responses {
     }
 }
 
+/// Of a tube whose upper end sends back a part −η of a wave that takes a number of steps there and back:
+/// speeds after a load, of a compliance.
+pub fn ringing(compliance: f64, round_trip: f64, sent_back: f64, count: usize) -> Vec<f64> {
+    let mut taps = vec![0.0; count];
+    taps[0] = compliance;
+    let mut echo = 2.0 * compliance;
+    let trips = (1..).map(|trip| (f64::from(trip) * round_trip).round() as usize);
+    for at in trips.take_while(|at| *at < count) {
+        echo *= -sent_back;
+        taps[at] = echo;
+    }
+    taps
+}
+
 /// Of a string so heavy that no torque changes its speed.
 pub fn immovable(count: usize) -> Vec<f64> {
     let mut taps = vec![0.0; count];
