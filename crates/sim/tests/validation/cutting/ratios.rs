@@ -1,7 +1,7 @@
 //! Maps of how far a bit slows down below its mean speed, over rate of penetration and speed, in the
 //! numbers without dimension of U. J. F. Aarsnes and N. van de Wouw, "Axial and torsional
-//! self-excited vibrations of a distributed drill-string", *Journal of Sound and Vibration* 444
-//! (2019) 127–151: by the stepper, and by exact delay lines in small explicit steps.
+//! self-excited vibrations of a distributed drill-string", *Journal of Sound and Vibration*
+//! (2019): by the stepper, and by exact delay lines in small explicit steps.
 //!
 //! A wave of torsion takes a time of 1 along the string, one along the axis 1/1.6; 0.7 of each is sent
 //! back. Torque is the depth of cut and 0.1 of what the flats carry, weight K_a times the depth of cut
