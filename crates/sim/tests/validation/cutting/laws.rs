@@ -92,6 +92,16 @@ impl Bottom {
     }
 }
 
+/// What a step leaves open.
+struct Line {
+    /// From its beginning to where the law is met, s.
+    within: f64,
+    /// Along the axis, m/s per N.
+    compliance: f64,
+    /// Torque and weight that there are, N m and N.
+    size: [f64; 2],
+}
+
 /// The constants of the law, from those of the rock.
 struct Constants {
     torque: f64,
@@ -129,13 +139,9 @@ impl Constants {
     }
 
     /// What is wrong with a step, in words.
-    fn wrong(
-        &self,
-        bottom: &Bottom,
-        cut: &CutStep,
-        (within, size): (f64, [f64; 2]),
-    ) -> Option<String> {
-        let [of_torque, of_weight] = size.map(|size| ROUNDING * size);
+    fn wrong(&self, bottom: &Bottom, cut: &CutStep, line: &Line) -> Option<String> {
+        let within = line.within;
+        let [of_torque, of_weight] = line.size.map(|size| ROUNDING * size);
         let angle = bottom.angle + within * cut.speed;
         let depths = bottom.depths(angle, bottom.depth + within * cut.rate);
         let mean = |of: &dyn Fn(f64) -> f64| {
@@ -168,8 +174,13 @@ impl Constants {
         let by_law = |most: f64| self.torque * deep + self.flat_radius * flat.clamp(0.0, most);
         let [low, high] = [by_law(least) - of_torque, by_law(most) + of_torque];
         let is_right = match cut.speed {
-            // Blades cut one way alone.
-            speed if speed < 0.0 => cut.torque.abs() <= of_torque && deep == 0.0,
+            // Blades cut one way alone, and rock holds them the other way: if it did not turn, it
+            // would be in the air.
+            speed if speed < 0.0 => {
+                let unloaded = cut.rate + line.compliance * cut.weight;
+                let standing = bottom.depths(bottom.angle, bottom.depth + line.within * unloaded);
+                cut.torque.abs() <= of_torque && standing.iter().all(|depth| *depth < 1e-12)
+            }
             0.0 => cut.torque <= high,
             // The ledge where its own cut ends holds a bit that turned back.
             _ if (angle - bottom.furthest()).abs() < 1e-9 => cut.torque >= -of_torque,
@@ -345,7 +356,12 @@ proptest! {
                 prop_assert!(off <= ROUNDING * compliance * size[channel], "{index} {channel}: {moves} is not {by_line}");
                 loads[channel].push(change);
             }
-            let found = constants.wrong(&bottom, cut, (STEP * (1.0 - offset), size));
+            let line = Line {
+                within: STEP * (1.0 - offset),
+                compliance: responses.channels[1].from_loads[0][0][0],
+                size,
+            };
+            let found = constants.wrong(&bottom, cut, &line);
             prop_assert!(found.is_none(), "{index}: {found:?} {cut:?}");
             bottom.end_step(cut);
         }
