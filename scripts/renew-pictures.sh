@@ -47,10 +47,28 @@ keep well_b history
 keep well_12in campbell
 
 for figure in fig09 fig09_certified fig14 fig17 fig17_trace well_12in well_12in_soft_torque \
-    well_12in_mud well_12in_cutting; do
+    well_12in_mud well_12in_cutting fig09_cutting axial_aarsnes; do
     "$sweep" run "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" map
 done
+
+# Fig. 9 on the axes of fig09_cutting, by the torque that the paper assumes.
+cat >"$folder/fig09_to_compare.toml" <<END
+base = "$PWD/sweeps/fig09.toml"
+title = "Fig. 9: a torque that falls when the bit slips"
+methods = ["held"]
+
+[design]
+kind = "grid"
+
+[design.axes]
+surface_speed_rpm = { from = 0.1, to = 1.5, count = 15 }
+weight_on_bit_kn = { from = 10, to = 100, count = 10 }
+END
+"$sweep" run "$folder/fig09_to_compare.toml" --out "$folder/fig09_to_compare"
+keep fig09_to_compare map
+"$sweep" simulate sweeps/axial_richard.toml --out "$folder/axial_richard"
+keep axial_richard history
 
 window=well_12in_window
 "$sweep" run "sweeps/$window.toml" --out "$folder/$window"

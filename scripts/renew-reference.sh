@@ -18,4 +18,5 @@ renew() {
 renew fig09 3% surface_speed_rpm
 renew fig14 5% friction
 renew fig17 10% friction
+renew axial_aarsnes 10% surface_speed_rpm,feed_m_h
 git --no-pager diff --stat -- results/reference

@@ -1,6 +1,8 @@
 //! Strings with known answers, for the tests and benchmarks of the other crates.
 
 pub mod academic;
+pub mod dashpots;
+pub mod delay_lines;
 pub mod masses;
 pub mod oracles;
 pub mod pipes;

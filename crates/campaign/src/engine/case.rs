@@ -1,7 +1,7 @@
 //! One case: its values and its scene.
 
 use linear::SteadyMotion;
-use sim::{Axial, BitTorque, Lateral, PipeFriction, Scene, Start, Timing, torsion_timing};
+use sim::{Axial, BitTorque, Cutting, Lateral, PipeFriction, Scene, Start, Timing, torsion_timing};
 
 use super::case_error::CaseError;
 use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Starts, Sweep};
@@ -78,8 +78,8 @@ impl Case {
             timing.duration = timing.duration.max(BY_DEFAULT.duration);
             timing.closing_window = timing.closing_window.max(BY_DEFAULT.closing_window);
         }
-        if axial.is_some() {
-            timing = DRILLED;
+        if let Some(axial) = &axial {
+            timing = while_it_drills(&axial.cutting, surface_speed);
         }
         if start == Start::Rest {
             let fed = setting.cutting.as_ref().map_or(0.0, |it| it.profile.rise());
@@ -219,11 +219,22 @@ fn drilled(
 }
 
 /// What cuts is followed for a minute: slow growth shows, and means over a third of that are those of
-/// motion that is often chaotic.
-const DRILLED: Timing = Timing {
-    duration: 60.0,
-    closing_window: 20.0,
-};
+/// motion that is often chaotic. A bit that turns slowly is followed until as many blades have passed
+/// in that third as a regime of the axis has repetitions.
+fn while_it_drills(cutting: &Cutting, surface_speed: f64) -> Timing {
+    const LEAST: f64 = 20.0;
+    const PASSES: f64 = 3.0;
+    const THIRDS: f64 = 3.0;
+    let pass = std::f64::consts::TAU / (cutting.blades() as f64 * surface_speed.abs());
+    let closing_window = match pass.is_finite() {
+        true => LEAST.max(PASSES * pass),
+        false => LEAST,
+    };
+    Timing {
+        duration: THIRDS * closing_window,
+        closing_window,
+    }
+}
 
 /// A bit without torque has no regime to wait for, and lateral motion none whose
 /// time could be predicted: ten seconds as in the paper, the last two of which

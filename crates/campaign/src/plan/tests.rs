@@ -447,3 +447,17 @@ fn steady_drilling_stays_steady_above_its_limit() {
         assert_ne!(axial.regime, sim::AxialRegime::Steady, "{axial:?}");
     }
 }
+
+/// Where a blade takes longer than that, a third of the time simulated, which is measured, sees three pass.
+#[test]
+fn a_bit_that_turns_slowly_is_followed_for_longer() {
+    for (speed, window) in [(120.0, 20.0), (0.2, 3.0 * 60.0 / (6.0 * 0.2))] {
+        let file = CUTTING.replace("= 120", &format!("= {speed}"));
+        let sweep = read(&file).unwrap();
+        let timing = crate::engine::Case::of(&sweep, &sweep.setting, 0).unwrap();
+        let timing = timing.scene.timing;
+        assert!((timing.closing_window / window - 1.0).abs() < 1e-12);
+        // And the rise of the surface speed, before.
+        assert!(timing.duration >= 3.0 * window, "{timing:?}");
+    }
+}

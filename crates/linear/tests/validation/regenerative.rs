@@ -2,61 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use linear::estimates::torsional_impedance;
 use linear::regenerative::{CuttingLoop, SteadyCut};
-use linear::{Axial, Complex64, Drillstring, Hoist, Material, Section, TopDrive, Tube};
-
-const STEEL: Material = Material {
-    shear_modulus: 80e9,
-    density: 7840.0,
-};
-
-fn pipe(length: f64) -> Tube {
-    Tube {
-        length,
-        inner_radius: 0.054,
-        outer_radius: 0.0635,
-    }
-}
-
-fn collar(length: f64) -> Tube {
-    Tube {
-        length,
-        inner_radius: 0.0286,
-        outer_radius: 0.0762,
-    }
-}
-
-/// Of these tubes from the surface down, whose upper end sends back −η of a wave in torsion and
-/// along the axis.
-fn strings(tubes: &[Tube], [eta_t, eta_a]: [f64; 2]) -> [Drillstring; 2] {
-    let section = |tube: &Tube| Section {
-        repeat: 1,
-        parts: vec![*tube],
-    };
-    let string = Drillstring::new(STEEL, tubes.iter().map(section).collect(), 0.0).unwrap();
-    let dashpot = |rod: &Drillstring, eta: f64| {
-        torsional_impedance(rod, &tubes[0]) * (1.0 + eta) / (1.0 - eta)
-    };
-    let axial = |hoist| Axial {
-        youngs_modulus: 210e9,
-        damping: 0.0,
-        hoist,
-    };
-    let free = axial(None).rod(&string).unwrap();
-    let hoist = Hoist {
-        mass: 0.0,
-        damping: dashpot(&free, eta_a),
-        stiffness: 0.0,
-    };
-    let rod = axial(Some(hoist)).rod(&string).unwrap();
-    let drive = TopDrive {
-        inertia: 0.0,
-        proportional_gain: dashpot(&string, eta_t),
-        integral_gain: 0.0,
-    };
-    [string.with_top_drive(drive).unwrap(), rod]
-}
+use linear::{Axial, Complex64, Drillstring, Hoist};
+use problems::dashpots::{BelowDashpots, collar, pipe};
+use problems::wells::{Draw, Well, with_loss};
 
 /// A bit of four blades of a radius of 0.108 m, in phase II.
 fn cut(energy: f64, advance: f64, speed: f64, [torsion, axial]: [bool; 2]) -> SteadyCut {
@@ -144,8 +93,8 @@ fn val_limits_of_steady_drilling() {
         ),
     ];
     for (tubes, etas, energy, felt, advance, speed, frequency) in cases {
-        let [string, rod] = strings(tubes, etas);
-        let cutting = CuttingLoop::new(&string, &rod).unwrap();
+        let below = BelowDashpots::new(tubes, etas);
+        let cutting = CuttingLoop::new(&below.string, &below.rod).unwrap();
         let at = |speed: f64| cut(energy, advance, speed, felt);
         let near = [0.97 * speed, 1.03 * speed];
         let (found, omega) = cutting.limit(at, near).unwrap();
@@ -220,8 +169,8 @@ fn val_roots_of_steady_drilling_and_their_number() {
             2,
         ),
     ] {
-        let [string, rod] = strings(tubes, [0.7, 0.7]);
-        let cutting = CuttingLoop::new(&string, &rod).unwrap();
+        let below = BelowDashpots::new(tubes, [0.7, 0.7]);
+        let cutting = CuttingLoop::new(&below.string, &below.rod).unwrap();
         let cut = cut(energy, advance, speed, BOTH);
         let found = cutting
             .root(&cut, root + Complex64::new(0.01, -0.02))
@@ -229,4 +178,59 @@ fn val_roots_of_steady_drilling_and_their_number() {
         assert!((found - root).norm() < 1e-7, "{found} {root}");
         assert_eq!(cutting.growing(&cut), Some(count));
     }
+}
+
+/// A cut that is this many times as stiff is sampled as many times as far.
+const FURTHER: f64 = 8.0;
+
+/// How many roots grow does not depend on where samples end: resonances beyond may be sharper than those
+/// of the last octave of samples, by more than is allowed for. `STRINGS=1500` asks for more of them.
+#[test]
+fn val_roots_beyond_the_samples_do_not_grow() {
+    let count = std::env::var("STRINGS").map_or(12, |count| count.parse().unwrap());
+    let mut others = 0;
+    for number in 0..count {
+        let mut draw = Draw::new(number);
+        let mut string = Well::draw(number, &mut draw).string;
+        if number % 2 == 0 {
+            string = with_loss(&string, &mut draw);
+        }
+        let hoist = Hoist {
+            mass: draw.uniform(0.0, 3e4),
+            damping: draw.log_uniform(1e4, 1e6),
+            stiffness: 0.0,
+        };
+        let axial = Axial {
+            youngs_modulus: 210e9,
+            damping: draw.log_uniform(10.0, 1000.0),
+            hoist: (number % 3 > 0).then_some(hoist),
+        };
+        let rod = axial.rod(&string).unwrap();
+        let blades = draw.uniform(3.0, 9.0).floor();
+        let (radius, energy) = (draw.uniform(0.08, 0.22), draw.log_uniform(2e6, 1e8));
+        let speed = draw.log_uniform(3.0, 25.0);
+        let cut = SteadyCut {
+            delay: TAU / blades / speed,
+            advance: draw.log_uniform(1e-4, 2e-3),
+            torque: 0.5 * energy * radius.powi(2) * blades,
+            weight: draw.uniform(0.4, 1.0) * energy * radius * blades,
+        };
+        let further = SteadyCut {
+            torque: FURTHER * cut.torque,
+            weight: FURTHER * cut.weight,
+            ..cut
+        };
+        let found = CuttingLoop::new(&string, &rod)
+            .unwrap()
+            .sampled_for(&cut)
+            .growing(&cut);
+        let known = CuttingLoop::new(&string, &rod)
+            .unwrap()
+            .sampled_for(&further)
+            .growing(&cut);
+        assert!(found.is_some() && known.is_some(), "{number}: too sharp");
+        others += usize::from(found != known);
+    }
+    println!("{others} of {count} differ");
+    assert_eq!(others, 0);
 }
