@@ -51,25 +51,32 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Option<MudMotor
 /// Refuses what does not go together with a motor.
 fn check_scene(source: &Source, content: &FileContent) -> Result<(), SweepFileError> {
     let refusals = [
-        (content.bit.is_none(), "needs a torque at the bit: [bit]"),
         (
+            "motor",
+            content.bit.is_none(),
+            "needs a torque at the bit: [bit]",
+        ),
+        (
+            "motor",
             content.wall.is_some(),
             "what touches the [wall] below a motor turns faster than the string, which is not \
              modelled: leave one of both out",
         ),
         (
+            "accuracy",
             content.accuracy.is_some(),
             "nothing is known of the error of a bit below a motor: give `methods` and \
-             `sampling_frequency_hz` instead of `accuracy`",
+             `sampling_frequency_hz` instead",
         ),
         (
+            "certify",
             content.certify,
             "a label is certain far from its limit, and with a motor none is known: leave \
-             `certify` out",
+             it out",
         ),
     ];
-    for (is_wrong, message) in refusals {
-        source.refuse_if(is_wrong, "motor", message)?;
+    for (key, is_wrong, message) in refusals {
+        source.refuse_if(is_wrong, key, message)?;
     }
     Ok(())
 }
