@@ -30,7 +30,7 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 19] = [
+const SNIPPETS: [Snippet; 20] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
     snippet(
@@ -38,6 +38,7 @@ const SNIPPETS: [Snippet; 19] = [
         "relief_deg",
         After::Base("academic_turning.toml"),
     ),
+    snippet("docs/cutting.md", "start_number", After::Nothing),
     snippet(
         "docs/damping.md",
         "loss_factor",

@@ -18,7 +18,7 @@ pub const AXES: [Axis; 2] = [Axis::WeightOnBitKn, Axis::SurfaceSpeedRpm];
 /// Which labels are vibration.
 #[derive(Debug, Clone, Copy, Default)]
 struct Vibrates {
-    /// Whether chatter of a bit that stays in its rock is none.
+    /// Whether chatter of a bit that stays in its rock does not count.
     chatter_is_safe: bool,
 }
 

@@ -124,7 +124,7 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// The last whole pieces of an angle that the bit turned through, at most so many, from the first
+    /// The last whole pieces of an angle that the bit turned through, at most a number of them, from the first
     /// to behind the last.
     fn last(&self, angle: f64, most: usize) -> Option<[usize; 2]> {
         let end = (self.steps.last()?.angle / angle) as usize;
