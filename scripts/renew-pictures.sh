@@ -43,6 +43,9 @@ keep fig13 string
 
 "$sweep" simulate sweeps/well_b.toml --out "$folder/well_b"
 keep well_b history
+"$sweep" simulate sweeps/well_12in_cutting.toml --set surface_speed_rpm=100 \
+    --set weight_on_bit_kn=80 --out "$folder/well_12in_cutting_cut"
+cp "$folder/well_12in_cutting_cut/cut.png" "$images/well_12in_cutting-cut.png"
 "$sweep" inspect sweeps/well_12in.toml --modes --out "$folder/well_12in"
 keep well_12in campbell
 
@@ -74,6 +77,23 @@ window=well_12in_window
 "$sweep" run "sweeps/$window.toml" --out "$folder/$window"
 "$sweep" window "sweeps/$window.toml" "$folder/$window" --held-at 0,15.6,29.4 --orders 1,2
 keep "$window" window
+
+# The snippet of docs/cutting.md.
+cat >"$folder/well_12in_starts.toml" <<END
+base = '$PWD/sweeps/well_12in_cutting.toml'
+title = "12¼-inch well, five starts by chance at each point"
+[design]
+kind = "grid"
+[design.axes]
+surface_speed_rpm = { from = 40, to = 220, count = 10 }
+weight_on_bit_kn = { from = 20, to = 160, count = 8 }
+start_number = { from = 1, to = 5, count = 5 }
+END
+"$sweep" run "$folder/well_12in_starts.toml" --out "$folder/well_12in_starts"
+keep well_12in_starts map
+
+"$sweep" window sweeps/well_12in_cutting.toml "$folder/well_12in_cutting"
+keep well_12in_cutting window
 
 "$sweep" new "$folder/my-sweep.toml"
 "$sweep" run "$folder/my-sweep.toml" --out "$folder/first"

@@ -25,7 +25,7 @@ mod words;
 
 use std::collections::BTreeSet;
 
-use crate::support::{Answer, SMALL, Workplace, with};
+use crate::support::{Answer, CUTTING, SMALL, Workplace, with};
 
 const RESULTS: [&str; 7] = [
     "boundary.csv",

@@ -4,6 +4,7 @@ mod accuracy;
 mod analyse;
 mod certain;
 mod command_line;
+mod cutting;
 mod documents;
 mod export;
 mod sensitivity;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{SMALL, Workplace, small_with_design, with};
+use crate::support::{CUTTING, SMALL, Workplace, small_with_design, with};
 
 /// The small sweep over a grid.
 fn grid(count: usize) -> String {
@@ -43,7 +43,7 @@ struct Cell {
 fn cells(place: &Workplace, name: &str) -> Vec<Cell> {
     let (header, rows) = table(place, name);
     let expected = "weight_on_bit_kn_from,weight_on_bit_kn_to,surface_speed_rpm_from,\
-                    surface_speed_rpm_to,standing,limits";
+                    surface_speed_rpm_to,standing,limits,rate_of_penetration_m_h";
     assert_eq!(header.join(","), expected);
     let cell = |row: Vec<String>| {
         let number = |column: usize| row[column].parse::<f64>().unwrap();
@@ -428,5 +428,92 @@ fn what_says_nothing_of_limits_over_both_axes_is_refused() {
         &place,
         &["window", "small.toml", "--held-at", "0"],
         "has no [wall]",
+    );
+}
+
+/// Rates of penetration are drawn, and the fastest point is the best, among those that are safe.
+#[test]
+fn of_a_bit_that_cuts_the_best_point_drills_fastest() {
+    let place = Workplace::with_small("");
+    let grid = with(CUTTING, "values = [10, 30]", "from = 5, to = 30, count = 6");
+    place.write("small.toml", with(&grid, "count = 3", "count = 4"));
+    done(&place, &["run", "small.toml"]);
+    let said = done(&place, &["window", "small.toml"]);
+    assert!(said.contains("nothing on the map is safe"), "{said}");
+    assert!(
+        !said.contains("they are not modelled") && !said.contains("Eq. 74"),
+        "{said}"
+    );
+    // All chatter, and in a part of them the bit turns smoothly.
+    let accept = ["window", "small.toml", "--accept-chatter"];
+    let said = done(&place, &accept);
+    assert!(
+        said.contains("bit bounce (simulated): not reached anywhere"),
+        "{said}"
+    );
+    assert!(said.contains("m/h (greatest rate of penetration"), "{said}");
+    let svg = std::fs::read_to_string(place.path("results/small/window.svg")).unwrap();
+    assert!(svg.contains("rate of penetration"), "no contours");
+    let json = done(&place, &[&accept[..], &["--json"]].concat());
+    let found: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let best = &found["best"];
+    let rate = best["rate_of_penetration_m_h"].as_f64().unwrap();
+    let at = |name: &str| best[name].as_f64().unwrap();
+    let cells = found["cells"].as_array().unwrap();
+    let number = |cell: &serde_json::Value, name: &str| cell[name].as_f64().unwrap();
+    let is_there = |cell: &&serde_json::Value| {
+        ["weight_on_bit_kn", "surface_speed_rpm"]
+            .iter()
+            .all(|axis| {
+                let [from, to] = ["from", "to"].map(|end| number(cell, &format!("{axis}_{end}")));
+                from < at(axis) && at(axis) < to
+            })
+    };
+    let own = cells.iter().find(is_there).expect("its cell");
+    assert_eq!(
+        (&own["standing"], number(own, "rate_of_penetration_m_h")),
+        (&"safe".into(), rate)
+    );
+    // Between those of the cases at the ends of the map, and not the fastest of all.
+    let rates = cells
+        .iter()
+        .map(|cell| number(cell, "rate_of_penetration_m_h"));
+    assert!(rates.clone().all(|rate| rate > 0.29 && rate < 43.2));
+    assert!(rates.clone().any(|other| other > 1.5 * rate), "{rate}");
+}
+
+#[test]
+fn rates_of_random_cases_are_means_in_a_range() {
+    let place = Workplace::with_small("");
+    let random = with(
+        CUTTING,
+        "kind = \"grid\"",
+        "kind = \"monte-carlo\"\ncases = 60",
+    );
+    let random = with(&random, ", count = 3", "");
+    place.write(
+        "small.toml",
+        with(&random, "values = [10, 30]", "from = 5, to = 30"),
+    );
+    done(&place, &["run", "small.toml"]);
+    let bins = ["--bins", "2", "--risk", "0.5", "--accept-chatter"];
+    let said = done(&place, &[&["window", "small.toml"], &bins[..]].concat());
+    assert!(said.contains("m/h (greatest rate of penetration"), "{said}");
+    let (_, cells) = table(&place, "results/small/window.csv");
+    let mut rates: Vec<&str> = cells.iter().map(|cell| cell[6].as_str()).collect();
+    rates.sort_unstable();
+    rates.dedup();
+    assert_eq!(rates.len(), 4, "{rates:?}");
+}
+
+#[test]
+fn chatter_is_accepted_of_bits_that_cut_alone() {
+    let place = Workplace::with_small(SMALL);
+    done(&place, &["run", "small.toml"]);
+    let answer = place.sweep(&["window", "small.toml", "--accept-chatter"]);
+    assert_eq!(answer.code, 2, "{answer:?}");
+    assert!(
+        answer.errors.contains("--accept-chatter: no bit"),
+        "{answer:?}"
     );
 }

@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::support::{SMALL, Workplace, with};
+use crate::support::{CUTTING, SMALL, Workplace, with};
 use serde_json::Value;
 
 /// Most bytes of a page.
@@ -92,6 +92,48 @@ fn so_it_is_in_field_units() {
     assert!(html.contains("Weight on bit W (klbf)") && html.contains("klbf ft"));
     assert!(html.contains("\"name\":\"weight_on_bit_klbf\""));
     assert!(html.contains("Dynamic torque T_d (lbf ft)</td>"));
+}
+
+/// Weight, depth of cut and depth of the bit are among what is held to the command.
+#[test]
+#[ignore = "needs Node and Chromium"]
+fn so_it_is_of_a_bit_that_cuts() {
+    let html = held_to_its_command(&with(CUTTING, "time_s = 20", "time_s = 12"));
+    assert!(html.contains("penetration in the closing window (m/h)</td>"));
+}
+
+/// No limit of a torque that is not given; a place to drag the case to; why a case takes long.
+#[test]
+fn a_page_of_a_bit_that_cuts_has_its_own_sliders_and_no_limit() {
+    let data_of = |text: &str| -> Value {
+        let place = Workplace::with_small(text);
+        let done = place.sweep(&["explore", "small.toml"]);
+        assert_eq!(done.code, 0, "{}", done.errors);
+        let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
+        let data = html.split("id=\"data\">").nth(1).unwrap();
+        serde_json::from_str(data.split("</script>").next().unwrap()).unwrap()
+    };
+    let data = data_of(CUTTING);
+    let axes = serde_json::json!(["weight_on_bit_kn", "surface_speed_rpm"]);
+    let map = serde_json::json!({ "of": "drilling", "axes": axes, "lines": [] });
+    assert_eq!(data["map"], map);
+    assert_eq!(data["why"], Value::Null);
+    let long = data_of(&with(CUTTING, "time_s = 20", "time_s = 2000"));
+    let why = long["why"].as_str().unwrap();
+    assert!(
+        why.contains("to the end of its 2000 s, 400 thousand steps"),
+        "{why}"
+    );
+    let controls = data["controls"].as_array().unwrap().iter();
+    let controls: Vec<&str> = controls.map(|it| it["axis"].as_str().unwrap()).collect();
+    for axis in [
+        "rock_specific_energy_mpa",
+        "rock_wear_flat_mm",
+        "weight_on_bit_kn",
+    ] {
+        assert!(controls.contains(&axis), "{axis} in {controls:?}");
+    }
+    assert!(!controls.contains(&"torque_static_ratio"), "{controls:?}");
 }
 
 /// Between walls the lines of the map come with the page.

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::support::Workplace;
+use crate::support::{CUTTING, Workplace};
 use serde_json::{Value, json};
 
 /// Differences of numbers in parts of the largest of their column.
@@ -181,6 +181,21 @@ fn what_is_refused_is_refused_in_the_words_of_the_command() {
         words.starts_with("case 1000000: there are cases 0 to"),
         "{words}\n{RENEW}"
     );
+}
+
+/// As the page of `report` opens it: by the resolved sweep of its manifest, which has every key.
+#[test]
+fn a_resolved_sweep_whose_bit_cuts_is_opened() {
+    let place = Workplace::with_small(CUTTING);
+    let done = place.sweep(&["run", "small.toml"]);
+    assert_eq!(done.code, 0, "{}", done.errors);
+    let manifest = std::fs::read(place.path("results/small/manifest.json")).unwrap();
+    let manifest: Value = serde_json::from_slice(&manifest).unwrap();
+    let opening = json!({ "path": "small.toml", "sweep": manifest["sweep"], "texts": {} });
+    let request = json!({ "open": opening }).to_string();
+    let answer = page::Engine::default().answer(request.as_bytes()).words;
+    let answer: Value = serde_json::from_str(&answer).unwrap();
+    assert_eq!(answer["ok"]["cases"], 6, "{answer}");
 }
 
 /// Every shipped sweep, with what it names: a key that the kept engine does not know, or takes for

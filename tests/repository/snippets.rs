@@ -30,7 +30,7 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 20] = [
+const SNIPPETS: [Snippet; 22] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
     snippet(
@@ -42,6 +42,7 @@ const SNIPPETS: [Snippet; 20] = [
         printed: &[("held", "stick_slip", 17)],
         ..snippet("docs/cutting.md", "fig09.toml", After::Nothing)
     },
+    snippet("docs/cutting.md", "start_number", After::Nothing),
     snippet(
         "docs/damping.md",
         "loss_factor",

@@ -7,6 +7,9 @@ use std::process::Command;
 /// A sweep of six cases that takes a moment: 100 m of pipe and one method.
 pub const SMALL: &str = include_str!("small.toml");
 
+/// A sweep of six cases with a bit that cuts what its blades leave, five of which chatter.
+pub const CUTTING: &str = include_str!("cutting.toml");
+
 /// [`SMALL`] with its `[design]` and `[map]` replaced.
 pub fn small_with_design(design: &str) -> String {
     let setting = SMALL.split("[design]").next().unwrap();

@@ -48,6 +48,7 @@ mod boundary;
 mod curves;
 mod envelope;
 mod forward_contact;
+mod growing_roots;
 mod many_sites_limit;
 mod sliding_together;
 mod steady_drilling;
@@ -62,6 +63,7 @@ pub use boundary::{
 pub use curves::Curve;
 pub use envelope::Envelope;
 pub use forward_contact::ForwardContact;
+pub use growing_roots::{DrillingPoint, drilling_points};
 pub use many_sites_limit::{MOST_SITES, many_sites_limit};
 pub use torsion_limit::{StickSlipPoint, TorsionLimit};
 pub use whirl_limit::{

@@ -1,7 +1,7 @@
 //! Where steady drilling with blades that cut what they leave is about to grow: limits over the
 //! surface speed, for values of the weight on bit.
 
-use campaign::plan::{Bit, CuttingSettings, Sweep};
+use campaign::plan::{Bit, Conditions, CuttingSettings, SteadyDrilling, Sweep};
 use campaign::quantities::Axis;
 use linear::parallel;
 use linear::regenerative::{CuttingLoop, SteadyCut};
@@ -120,10 +120,10 @@ fn branches(limits: Vec<Vec<[f64; 2]>>, step: f64) -> Vec<Vec<[f64; 2]>> {
 
 /// The cuts of a sweep.
 #[derive(Clone, Copy)]
-struct Cuts<'a> {
-    sweep: &'a Sweep,
-    bit: &'a Bit,
-    settings: &'a CuttingSettings,
+pub struct Cuts<'a> {
+    pub sweep: &'a Sweep,
+    pub bit: &'a Bit,
+    pub settings: &'a CuttingSettings,
 }
 
 impl Cuts<'_> {
@@ -133,14 +133,19 @@ impl Cuts<'_> {
         let conditions = (self.sweep.conditions)
             .with(Axis::WeightOnBitKn, weight)
             .with(Axis::SurfaceSpeedRpm, speed);
-        let law = self.bit.cutting_law(&conditions).ok()??;
+        self.under(&conditions)?.1
+    }
+
+    /// Steady drilling under conditions, and as small motion feels it; `None` where it does not drill.
+    pub fn under(&self, conditions: &Conditions) -> Option<(SteadyDrilling, Option<SteadyCut>)> {
+        let law = self.bit.cutting_law(conditions).ok()??;
         let cutting = self.settings.bit_in(law);
-        let feed = self.settings.feed(&conditions)?;
+        let feed = self.settings.feed(conditions)?;
         let speed = conditions.surface_speed()?;
         let string = &self.sweep.setting.string;
         let steady = self.settings.steady(string, &cutting, speed, feed);
         let drills = steady.rate > 0.0;
-        drills.then(|| steady.cut(&cutting)).flatten()
+        drills.then(|| (steady, steady.cut(&cutting)))
     }
 }
 

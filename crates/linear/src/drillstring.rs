@@ -370,6 +370,24 @@ impl Drillstring {
         }
     }
 
+    /// The same rod without loss; what it hangs from keeps its mass alone.
+    ///
+    /// # Errors
+    /// Where it cannot be cut up.
+    pub(crate) fn undamped(&self) -> Result<Self, DrillstringError> {
+        let same = Self::new(self.material, self.sections.clone(), 0.0)?;
+        let drive = self.top_drive.map(|drive| TopDrive {
+            proportional_gain: 0.0,
+            integral_gain: 0.0,
+            ..drive
+        });
+        Ok(Self {
+            rod: self.rod,
+            top_drive: drive,
+            ..same
+        })
+    }
+
     /// Its motion as a rod.
     pub fn channel(&self) -> Channel {
         match self.rod {

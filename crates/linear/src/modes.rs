@@ -23,9 +23,12 @@
 use num_complex::Complex64;
 use numerics::{Mat, eigenvalues};
 
+use crate::controllers::reflection;
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
-use crate::estimates::{torsional_decay_rate, torsional_drag, torsional_inertia};
+use crate::estimates::{
+    torsional_decay_rate, torsional_drag, torsional_inertia, torsional_travel_time,
+};
 use crate::sites::Sites;
 use crate::waves::network::TorsionNetwork;
 
@@ -98,24 +101,49 @@ pub fn damped_modes(
     string: &Drillstring,
     frequencies: &[f64],
 ) -> Result<Vec<Option<TorsionalMode>>, BuildError> {
-    let held = string.clone().without_top_drive();
-    let network = TorsionNetwork::new(&held, &Sites::bit())?;
-    let guesses: Vec<Complex64> = if held.loss().has_memory() {
-        let inertia = torsional_inertia(&held);
-        let guess = |&frequency: &f64| slowed(&held, inertia, frequency);
+    damped(&string.clone().without_top_drive(), frequencies)
+}
+
+/// The same of a string below its drive, or its hoist, which takes a part of every wave; those of
+/// natural frequencies without either's damping.
+///
+/// # Errors
+/// As [`damped_modes`].
+pub fn damped_modes_below_drive(
+    string: &Drillstring,
+    frequencies: &[f64],
+) -> Result<Vec<Option<TorsionalMode>>, BuildError> {
+    damped(string, frequencies)
+}
+
+fn damped(
+    string: &Drillstring,
+    frequencies: &[f64],
+) -> Result<Vec<Option<TorsionalMode>>, BuildError> {
+    let network = TorsionNetwork::new(string, &Sites::bit())?;
+    let taken = |frequency: f64| {
+        let round_trip = 2.0 * torsional_travel_time(string);
+        let left = |drive| reflection(string, &drive, frequency).norm();
+        string
+            .top_drive()
+            .map_or(0.0, |drive| -left(drive).ln() / round_trip)
+    };
+    let guesses: Vec<Complex64> = if string.loss().has_memory() {
+        let inertia = torsional_inertia(string);
+        let guess = |&frequency: &f64| slowed(string, inertia, frequency) - taken(frequency);
         frequencies.iter().map(guess).collect()
     } else {
-        let decay = torsional_decay_rate(&held);
+        let decay = torsional_decay_rate(string);
         // That of a uniform string: |s| is the frequency without damping.
         let guess = |&frequency: &f64| {
             let swings = (frequency * frequency - decay * decay).max(0.0).sqrt();
-            Complex64::new(-decay, swings)
+            Complex64::new(-decay - taken(frequency), swings)
         };
         frequencies.iter().map(guess).collect()
     };
     let found = poles_near(&network, guesses.iter().copied());
     // Of constant damping the size is that of the frequency without it.
-    let expected: Vec<f64> = if held.loss().has_memory() {
+    let expected: Vec<f64> = if string.loss().has_memory() {
         guesses.iter().map(|it| it.norm()).collect()
     } else {
         frequencies.to_vec()

@@ -10,6 +10,9 @@ use campaign::sweep_file::{FileContent, MethodName};
 
 use crate::request::Opening;
 
+/// What no sweep that was read could cause.
+const NO_TABLE: &str = "the sweep cannot be written as TOML";
+
 /// Reads it, with the methods that are asked for in addition to its own.
 ///
 /// # Errors
@@ -64,5 +67,18 @@ fn text_of_resolved(mut content: FileContent) -> Result<String> {
     if let Some(friction) = &mut content.string_friction {
         friction.tolerance = None;
     }
-    toml::to_string(&content).context("the sweep cannot be written as TOML")
+    let cuts = content
+        .bit
+        .as_ref()
+        .is_some_and(|bit| bit.cutting.is_some());
+    let mut table = toml::Table::try_from(&content).context(NO_TABLE)?;
+    if let Some(bit) = table.get_mut("bit").and_then(toml::Value::as_table_mut) {
+        // What a law of torque has by default, a bit that cuts may not give.
+        for key in ["torque_static_ratio", "torque_decay_rpm"] {
+            if cuts {
+                bit.remove(key);
+            }
+        }
+    }
+    toml::to_string(&table).context(NO_TABLE)
 }

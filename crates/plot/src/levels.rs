@@ -8,7 +8,7 @@ use super::frame::{Frame, align_left};
 use super::geometry::Rect;
 use super::lettering::Align;
 use super::look::{Look, is_narrow};
-use super::numbers::in_two;
+use super::numbers::{in_two, nice_step, power};
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
 use super::shapes::Stroke;
@@ -41,6 +41,17 @@ pub struct LevelPanel {
     pub levels: Vec<f64>,
     /// What levels are, with the unit.
     pub scale: String,
+    /// How classes of them are apart.
+    pub classes: LevelClasses,
+}
+
+/// How classes of levels are apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LevelClasses {
+    /// By factors: what is a thousandth of the largest is seen, too.
+    Factors,
+    /// Evenly, from zero.
+    Even,
 }
 
 /// Draws panels one below another with one title, each with its own bar; `note` is below all.
@@ -86,9 +97,10 @@ fn scales(look: &Look, panel: &LevelPanel) -> [Scale; 2] {
 }
 
 fn draw_panel(canvas: &mut Canvas, panel: &LevelPanel, frame: &Frame, bar_left: f64) {
-    let ends = class_ends(&panel.levels);
+    let ends = class_ends(&panel.levels, panel.classes);
     let [x, y] = &panel.edges;
     let [columns, rows] = [x, y].map(|edges| edges.len().saturating_sub(1));
+    let colour = |class: usize| colour(class, ends.len());
     canvas.polygon(&frame.area.corners(), colour(0));
     for row in 0..rows {
         let class = |column: &usize| class_of(panel.levels[column * rows + row], &ends);
@@ -130,7 +142,7 @@ fn draw_bar(canvas: &mut Canvas, panel: &LevelPanel, ends: &[f64], (frame, left)
             right: left + BAR_WIDTH,
             bottom: bottom - class as f64 * height,
         };
-        canvas.polygon(&cell.corners(), colour(class));
+        canvas.polygon(&cell.corners(), colour(class, ends.len()));
         // Upper ends; that of every second where there is no room for all.
         let every = (1.2 * SMALL_SIZE / height).ceil().max(1.0) as usize;
         if (ends.len() - 1 - class) % every == 0 {
@@ -151,16 +163,32 @@ fn draw_bar(canvas: &mut Canvas, panel: &LevelPanel, ends: &[f64], (frame, left)
     canvas.upward_text(&scale, column, 0.5 * (top + bottom));
 }
 
-/// Upper ends of classes, rising: 1, 2 and 5 times powers of ten, the last at or above every level.
-fn class_ends(levels: &[f64]) -> Vec<f64> {
+/// Upper ends of classes, rising: round numbers, the last at or above every level.
+fn class_ends(levels: &[f64], classes: LevelClasses) -> Vec<f64> {
     let most = levels.iter().copied().filter(|level| level.is_finite());
     let most = most.fold(0.0, f64::max);
     if most <= 0.0 {
         return vec![1.0];
     }
+    match classes {
+        LevelClasses::Factors => by_factors(most),
+        LevelClasses::Even => evenly(most),
+    }
+}
+
+/// From zero on, the first of which all that is not above zero is, too.
+fn evenly(most: f64) -> Vec<f64> {
+    let (digit, decade) = nice_step(most / (CLASSES - 2) as f64);
+    let step = power(digit, decade);
+    let count = (most / step * (1.0 - 1e-9)).ceil() as usize;
+    (0..=count.max(1)).map(|end| end as f64 * step).collect()
+}
+
+/// 1, 2 and 5 times powers of ten.
+fn by_factors(most: f64) -> Vec<f64> {
     let decade = most.log10().floor() as i32;
     let steps = (decade - CLASSES as i32..=decade + 1)
-        .flat_map(|decade| [1, 2, 5].map(|digit| super::numbers::power(digit, decade)));
+        .flat_map(|decade| [1, 2, 5].map(|digit| power(digit, decade)));
     let steps: Vec<f64> = steps.collect();
     // Not above a level but for rounding.
     let last = steps.iter().position(|step| *step >= most * (1.0 - 1e-9));
@@ -175,8 +203,8 @@ fn class_of(level: f64, ends: &[f64]) -> usize {
 }
 
 /// From light to dark, evenly along the colours of parts of a whole.
-fn colour(class: usize) -> Colour {
-    let along = class as f64 / (CLASSES - 1) as f64 * (PARTS.len() - 1) as f64;
+fn colour(class: usize, classes: usize) -> Colour {
+    let along = class as f64 / (classes - 1).max(1) as f64 * (PARTS.len() - 1) as f64;
     let below = (along as usize).min(PARTS.len() - 2);
     let part = along - below as f64;
     let [from, to] = [below, below + 1].map(|place| {
@@ -202,11 +230,13 @@ mod tests {
             edges: [vec![0.0, 1.0, 2.0, 3.0], vec![0.1, 1.0, 10.0]],
             levels,
             scale: "Amplitude (rpm)".to_owned(),
+            classes: LevelClasses::Factors,
         }
     }
 
     #[test]
     fn classes_end_at_round_numbers_at_or_above_the_largest() {
+        let class_ends = |levels: &[f64]| class_ends(levels, LevelClasses::Factors);
         let ends = class_ends(&[0.0, 130.0, f64::NAN]);
         assert_eq!(ends.len(), CLASSES);
         assert_eq!(ends[CLASSES - 3..], [50.0, 100.0, 200.0]);
@@ -217,11 +247,26 @@ mod tests {
         assert_eq!([0.0, 0.1, 0.3, 100.0, 130.0].map(class), [0, 0, 1, 8, 9]);
     }
 
+    #[test]
+    fn even_classes_begin_with_what_is_not_above_zero() {
+        let ends = class_ends(&[-3.0, 5.36, f64::NAN], LevelClasses::Even);
+        assert_eq!(ends, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        let class = |level| class_of(level, &ends);
+        assert_eq!([-3.0, 0.0, 0.1, 5.36, 6.0].map(class), [0, 0, 1, 6, 6]);
+        for most in [1e-3, 0.8, 1.0, 3.3, 8.0, 79.0] {
+            let ends = class_ends(&[most], LevelClasses::Even);
+            assert!(
+                ends.len() <= CLASSES && ends.last() >= Some(&most),
+                "{most}: {ends:?}"
+            );
+        }
+    }
+
     /// Readers without colour vision see the order by lightness alone.
     #[test]
     fn each_class_is_darker_than_the_one_below() {
         let luminance = |class| {
-            let Colour(red, green, blue) = colour(class);
+            let Colour(red, green, blue) = colour(class, CLASSES);
             0.2126 * f64::from(red) + 0.7152 * f64::from(green) + 0.0722 * f64::from(blue)
         };
         for class in 1..CLASSES {

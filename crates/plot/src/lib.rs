@@ -65,7 +65,7 @@ pub use cells::{CellPanel, CellWords, ChartCell, Seen, cell_chart};
 pub use fills::{CellFill, Fraction, Safety};
 pub use film::{Film, FilmDot, FilmFrame, FilmWords, film};
 pub use lettering::split_at_indices;
-pub use levels::{LevelPanel, level_chart};
+pub use levels::{LevelClasses, LevelPanel, level_chart};
 pub use line_styles::{LineStyle, Series};
 pub use look::{Look, Paper};
 pub use map::{

@@ -134,6 +134,9 @@ fn point<'py>(py: Python<'py>, best: &Best) -> PyResult<Bound<'py, PyDict>> {
     point.set_item("clearance", best.clearance)?;
     point.set_item("standing", best.standing.key())?;
     point.set_item("is_as_asked", best.is_as_asked)?;
+    if let Some(rate) = best.rate_of_penetration_m_h {
+        point.set_item("rate_of_penetration_m_h", rate)?;
+    }
     Ok(point)
 }
 

@@ -4,6 +4,7 @@ use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 use sim::Trajectory;
 use sim::laws::contact::Touch;
+use sim::laws::cutting::CutStep;
 
 use crate::arrays::{planes, rows, vector};
 
@@ -63,6 +64,42 @@ impl Motion {
         optional(py, &self.trajectory.surface_speed)
     }
 
+    /// Weight on bit, N; none unless the bit cuts what its blades leave.
+    #[getter]
+    fn weight_on_bit<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        self.of_cut(py, |cut| cut.weight)
+    }
+
+    /// Rate of penetration, m/s; none unless the bit cuts.
+    #[getter]
+    fn rate_of_penetration<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        self.of_cut(py, |cut| cut.rate)
+    }
+
+    /// Depth of cut of a blade, the mean of all, m, negative off bottom; none unless the bit cuts.
+    #[getter]
+    fn depth_of_cut<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        self.of_cut(py, |cut| cut.depth_of_cut)
+    }
+
+    /// How far the bit has turned, rad; none unless it cuts.
+    #[getter]
+    fn bit_angle<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        self.of_cut(py, |cut| cut.angle)
+    }
+
+    /// How deep the bit is below where it began, m; none unless it cuts.
+    #[getter]
+    fn bit_depth<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        self.of_cut(py, |cut| cut.depth)
+    }
+
+    /// How deep the rock is that the blades leave, m; none unless the bit cuts.
+    #[getter]
+    fn rock_depth<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        self.of_cut(py, CutStep::rock_left)
+    }
+
     /// Positions, m, `[site, step, axis]`; none without a wall.
     #[getter]
     fn positions<'py>(&self, py: Python<'py>) -> Optional<Bound<'py, PyArrayDyn<f64>>> {
@@ -118,6 +155,16 @@ impl Motion {
     fn of_walls<T>(&self, array: impl FnOnce() -> PyResult<T>) -> Optional<T> {
         let is_lateral = !self.trajectory.positions.is_empty();
         is_lateral.then(array).transpose()
+    }
+
+    /// What there is of a bit that cuts alone.
+    fn of_cut<'py>(
+        &self,
+        py: Python<'py>,
+        value: fn(&CutStep) -> f64,
+    ) -> Option<Bound<'py, PyArray1<f64>>> {
+        let values: Vec<f64> = self.trajectory.cut.iter().map(value).collect();
+        optional(py, &values)
     }
 
     fn of_touches(&self, is_so: impl Fn(Touch) -> bool) -> Vec<Vec<bool>> {

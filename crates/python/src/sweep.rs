@@ -270,7 +270,7 @@ impl Sweep {
 
     /// The operating window by results folders of its string, by the columns of `window.csv`; and
     /// the best point.
-    #[pyo3(signature = (folders, *, orders, held_at, margin, risk, bins, clearance))]
+    #[pyo3(signature = (folders, *, orders, held_at, margin, risk, bins, clearance, accept_chatter))]
     #[expect(clippy::too_many_arguments, reason = "keywords")]
     fn _window<'py>(
         &self,
@@ -282,6 +282,7 @@ impl Sweep {
         risk: f64,
         bins: usize,
         clearance: f64,
+        accept_chatter: bool,
     ) -> PyResult<(Bound<'py, PyDict>, Option<Bound<'py, PyDict>>)> {
         let asked = WindowAsked {
             orders,
@@ -289,6 +290,7 @@ impl Sweep {
             margin,
             risk,
             bins,
+            accept_chatter,
         };
         let folders = folders.unwrap_or_else(|| vec![own_folder(&self.0)]);
         window(py, &self.0, folders, asked, clearance)

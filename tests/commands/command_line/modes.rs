@@ -203,3 +203,67 @@ fn modes_between_held_places_are_apart_from_those_of_the_whole_string() {
         assert!((number(&row[3]).abs() - expected).abs() < 1e-4, "{row:?}");
     }
 }
+
+/// Below its hook load a pipe of 100 m has half waves along its axis, √(E/ρ)/2L apart; and all ways of
+/// vibration that grow about steady drilling do so in pairs of roots.
+#[test]
+fn a_bit_that_cuts_has_modes_of_the_axis_and_roots_that_grow() {
+    let place = Workplace::with_small(CUTTING);
+    let arguments = ["inspect", "small.toml", "--modes=4", "--out", "looked"];
+    let answer = place.sweep(&arguments);
+    assert_eq!(answer.code, 0, "{answer:?}");
+    for words in [
+        "along the axis, hanging from its hoist, free to move",
+        "plus 1 rigid-body mode",
+        "steady drilling, by the roots of D(s)",
+    ] {
+        assert!(answer.output.contains(words), "no {words:?} in {answer:?}");
+    }
+    // A torque that falls with speed is not given.
+    assert!(!place.path("looked/bit_resonances.csv").exists());
+    let modes = rows(&place, "looked/modes.csv");
+    let axial: Vec<_> = modes.iter().filter(|row| row[0] == "axial").collect();
+    assert_eq!(axial.len(), 4);
+    let half_wave = (210e9_f64 / 7840.0).sqrt() / 200.0;
+    for (mode, row) in axial.into_iter().enumerate() {
+        let exact = (mode + 1) as f64 * half_wave;
+        assert!((number(&row[2]) / exact - 1.0).abs() < 1e-6, "{row:?}");
+        assert!((0.0..0.2).contains(&number(&row[3])), "{row:?}");
+    }
+    let points = rows(&place, "looked/steady_drilling.csv");
+    assert_eq!(points.len(), 6);
+    for row in points {
+        let roots: usize = row[8].parse().unwrap();
+        assert!(roots > 0 && roots % 2 == 0, "{row:?}");
+    }
+    let uneven = with(
+        CUTTING,
+        "blades = 4",
+        "blade_angles_deg = [80, 100, 80, 100]",
+    );
+    place.write("small.toml", uneven);
+    let answer = place.sweep(&arguments);
+    assert!(answer.output.contains("blades are not even"), "{answer:?}");
+    // A surface that moves at its speed holds the string.
+    let fed = with(
+        CUTTING,
+        "[design]\n",
+        "[feed]\nkind = \"speed\"\n\n[design]\n",
+    );
+    let fed = with(&fed, "weight_on_bit_kn = 20\n", "");
+    place.write(
+        "small.toml",
+        with(&fed, "weight_on_bit_kn = {", "feed_m_h = {"),
+    );
+    let answer = place.sweep(&arguments);
+    assert!(
+        answer.output.contains("along the axis, surface held"),
+        "{answer:?}"
+    );
+    let modes = rows(&place, "looked/modes.csv");
+    let first = modes.iter().find(|row| row[0] == "axial").expect("a mode");
+    assert!(
+        (number(&first[2]) / (0.5 * half_wave) - 1.0).abs() < 1e-6,
+        "{first:?}"
+    );
+}

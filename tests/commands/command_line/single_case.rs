@@ -2,7 +2,7 @@
 
 use crate::command_line::{columns, is_png, names, names_in, run, succeeds, table, text};
 use crate::refusals::refused;
-use crate::support::{SMALL, Workplace, with};
+use crate::support::{CUTTING, SMALL, Workplace, with};
 
 #[test]
 fn simulate_writes_the_history_of_one_case() {
@@ -52,6 +52,65 @@ fn simulate_writes_the_history_of_one_case() {
     assert_eq!(times[0], ["quadrature", "0"]);
     assert_eq!(times[1], ["quadrature", "0.01"]);
     assert!((1200..=1201).contains(&times.len()), "{}", times.len());
+}
+
+/// The rock that a bit leaves is as deep as the bit, or as what it found where it is off bottom; and
+/// what the bit cuts is what it goes below that of a blade before.
+#[test]
+fn simulate_draws_what_a_bit_cuts_and_what_it_leaves() {
+    let place = Workplace::with_small(CUTTING);
+    let arguments = ["simulate", "small.toml", "--case", "3", "--out", "case"];
+    let answer = succeeds(&place, &arguments);
+    assert!(answer.output.contains("cut, surface as svg"), "{answer:?}");
+    for picture in ["cut", "surface", "history"] {
+        is_png(&place, &format!("case/{picture}.png"));
+    }
+    let cut = text(&place, "case/cut.svg");
+    assert!(cut.contains("Turn of the bit") && cut.contains("Depth of cut (mm)"));
+    assert!(text(&place, "case/surface.svg").contains("Height of the rock"));
+    assert!(text(&place, "case/history.svg").contains("Depth of the bit"));
+    let history = table(&text(&place, "case/history.csv"));
+    let names = [
+        "bit_turns",
+        "bit_depth_mm",
+        "rock_depth_mm",
+        "depth_of_cut_mm",
+    ];
+    let steps: Vec<Vec<f64>> = (columns(&history, names).iter())
+        .map(|row| row.iter().map(|cell| cell.parse().unwrap()).collect())
+        .collect();
+    let mut off_bottom = 0;
+    for step in &steps {
+        let [turns, depth, rock, cut] = step[..] else {
+            unreachable!()
+        };
+        assert_eq!(rock, if cut < 0.0 { rock } else { depth });
+        assert!(rock >= depth && (rock - depth - (-cut).max(0.0)).abs() < 1e-9);
+        off_bottom += usize::from(cut < 0.0);
+        // Four blades: the one before was here a quarter of a turn earlier.
+        let before = turns - 0.25;
+        let above = steps.partition_point(|other| other[0] < before);
+        if above > 0 && before > 1.0 {
+            let [low, high] = [&steps[above - 1], &steps[above]];
+            let part = (before - low[0]) / (high[0] - low[0]);
+            let found = low[2] + part * (high[2] - low[2]);
+            // Recorded in the middle of steps, met between their ends.
+            assert!(
+                (depth - found - cut).abs() < 0.1,
+                "{turns} {depth} {found} {cut}"
+            );
+        }
+    }
+    assert!(off_bottom > 10, "{off_bottom}");
+}
+
+#[test]
+fn a_bit_that_never_turns_once_has_no_picture_of_its_turns() {
+    let slow = with(CUTTING, "from = 40, to = 160", "from = 0.4, to = 1.6");
+    let place = Workplace::with_small(&slow);
+    let answer = succeeds(&place, &["simulate", "small.toml", "--out", "case"]);
+    assert!(!answer.output.contains("cut, "), "{answer:?}");
+    assert!(!place.path("case/cut.svg").exists());
 }
 
 #[test]

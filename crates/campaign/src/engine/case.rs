@@ -4,7 +4,7 @@ use linear::SteadyMotion;
 use sim::{Axial, BitTorque, Cutting, Lateral, PipeFriction, Scene, Start, Timing, torsion_timing};
 
 use super::case_error::CaseError;
-use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Starts, Sweep};
+use crate::plan::{Begins, Conditions, ImpulseAmount, LateralSettings, Setting, Starts, Sweep};
 use crate::sweep_file::{AutoOr, StartName};
 
 /// One case of a sweep.
@@ -201,10 +201,15 @@ fn drilled(
     let feed = settings.feed(conditions);
     let feed = feed.ok_or(CaseError::Missing("weight on bit or feed"))?;
     let steady = settings.steady(&setting.string, &cutting, surface_speed, feed);
-    let begins_steadily = sweep.starts.name == StartName::Smooth;
+    let begins = Begins {
+        steadily: sweep.starts.name == StartName::Smooth,
+        disturbance: sweep.starts.disturbance,
+        number: conditions.start_number,
+        rise: setting.profile.rise(),
+    };
     let (start, start_rate, kick) = settings.start(
         (&setting.string, &setting.sites),
-        begins_steadily.then_some(sweep.starts.disturbance),
+        &begins,
         (surface_speed, steady),
     );
     Ok(Some((

@@ -28,6 +28,9 @@ pub fn unused_reason(sweep: &Sweep, axis: Axis) -> Option<&'static str> {
         Axis::FeedMH if sweep.conditions.feed_m_h.is_none() => {
             Some("nothing is let down at a set speed in this sweep")
         }
+        Axis::StartNumber if sweep.setting.cutting.is_none() => {
+            Some("no start is disturbed by chance in this sweep: its bit has no [bit.cutting]")
+        }
         Axis::Rock(_) if sweep.conditions.value(axis).is_none() => {
             Some("the rock of this sweep has no such constant")
         }

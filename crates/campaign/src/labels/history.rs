@@ -52,6 +52,9 @@ pub fn history_columns(sites: &Sites, motion: &Trajectory) -> Vec<HistoryColumn>
             of_cut("weight_on_bit_kn", |cut| to_kn(cut.weight)),
             of_cut("rate_of_penetration_m_h", |cut| to_m_h(cut.rate)),
             of_cut("depth_of_cut_mm", |cut| to_mm(cut.depth_of_cut)),
+            of_cut("bit_turns", |cut| cut.angle / std::f64::consts::TAU),
+            of_cut("bit_depth_mm", |cut| to_mm(cut.depth)),
+            of_cut("rock_depth_mm", |cut| to_mm(cut.rock_left())),
         ]);
     }
     let between_walls = motion.positions.iter().zip(&motion.wall_forces);

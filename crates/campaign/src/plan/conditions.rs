@@ -35,6 +35,8 @@ pub struct Conditions {
     pub torque_decay_rpm: Option<f64>,
     /// The rock's own law, where it has one.
     pub law: Option<LawTable>,
+    /// Number of a start that is disturbed by chance, by an axis.
+    pub start_number: Option<f64>,
     /// What the friction of every wall is multiplied by, wherever it is given.
     pub friction_factor: Option<f64>,
 }
@@ -71,6 +73,7 @@ impl Conditions {
                 let place = changed.law.as_mut().and_then(|law| law.constant(constant));
                 place.into_iter().for_each(|place| *place = value);
             }
+            Axis::StartNumber => changed.start_number = Some(value),
             // Part of the setting.
             Axis::String(_) => {}
         }
@@ -101,6 +104,7 @@ impl Conditions {
             Axis::TorqueStaticRatio => self.torque_static_ratio,
             Axis::TorqueDecay => self.torque_decay_rpm,
             Axis::Rock(constant) => self.law?.constant(constant).copied(),
+            Axis::StartNumber => self.start_number,
             Axis::String(_) => None,
         }
     }
@@ -217,6 +221,12 @@ pub fn are_complete(
         };
         let key = format!("design.axes.{}", axis.name());
         return Err(source.error(&key, format!("needs {needs}")));
+    }
+    let cuts = (content.bit.as_ref()).is_some_and(|bit| bit.cutting.is_some());
+    let is_of_cutting = |axis: &&Axis| matches!(axis, Axis::FeedMH | Axis::StartNumber);
+    if let Some(axis) = design.axes().iter().find(is_of_cutting).filter(|_| !cuts) {
+        let key = format!("design.axes.{}", axis.name());
+        return Err(source.error(&key, "needs a bit with [bit.cutting]"));
     }
     let gives_torque = |axis: &&Axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     let mut torques = design.axes().iter().filter(gives_torque);

@@ -9,9 +9,10 @@ use sim::laws::rock::CuttingLaw;
 use sim::{Blades, Cutting, FlatContact, Kick, Start, SurfaceProfile};
 
 use super::conditions::Conditions;
+use crate::random::Stream;
 use crate::sweep_file::{
-    ContactName, CuttingTable, FeedName, FeedTable, FileContent, RockName, Source, StartName,
-    SweepFileError,
+    ContactName, CuttingTable, FeedName, FeedTable, FileContent, MethodName, RockName, Source,
+    StartName, SweepFileError,
 };
 
 /// Young's modulus of steel, GPa.
@@ -157,9 +158,24 @@ fn check_scene(source: &Source, content: &FileContent) -> Result<(), SweepFileEr
         "string_friction",
         message,
     )?;
-    let message =
-        "with [bit.cutting] nothing is compared with a recording yet: leave one of both out";
-    source.refuse_if(!content.compare.is_empty(), "compare", message)
+    check_methods(source, content)
+}
+
+/// Refuses methods that find a response from its values at rest: a string that hangs from a hook load
+/// has no place of rest.
+fn check_methods(source: &Source, content: &FileContent) -> Result<(), SweepFileError> {
+    let hangs = content.feed.unwrap_or_default().kind == FeedName::HookLoad;
+    let needs_rest =
+        |name: &&MethodName| matches!(**name, MethodName::Hilbert | MethodName::DirectIdft);
+    let found = content.methods.iter().find(needs_rest).filter(|_| hangs);
+    found.map_or(Ok(()), |name| {
+        let message = format!(
+            "`{}` needs a string that its surface holds: below a hook load it moves as a whole. Write \
+             `held`, `quadrature` or `finite-element`, or `kind = \"speed\"` in [feed]",
+            name.name()
+        );
+        Err(source.error("methods", message))
+    })
 }
 
 /// What is set at the surface, and the hoist.
@@ -381,24 +397,88 @@ impl CuttingSettings {
         at(low)
     }
 
-    /// How a case of a string with sites begins, at a rate of penetration (m/s), and what disturbs it:
-    /// at rest, or steadily with a `disturbance` of its torque and weight, as a part of these.
+    /// How a case of a string with sites begins, at a rate of penetration (m/s), and what disturbs it.
     pub fn start(
         &self,
         (string, sites): (&Drillstring, &Sites),
-        disturbance: Option<f64>,
+        begins: &Begins,
         (surface_speed, steady): (f64, SteadyDrilling),
     ) -> (Start, f64, Option<Kick>) {
         let drills = steady.speed > 0.0 && steady.rate > 0.0;
-        let Some(part) = disturbance.filter(|_| drills) else {
-            return (Start::Rest, 0.0, None);
-        };
+        let part = begins.disturbance;
+        let chance = begins.chance();
+        if !(begins.steadily && drills) {
+            // Of a bit at rest, until it turns: what it is let go with then differs. Nothing lifts it: on
+            // it is no weight yet.
+            let kick = chance.filter(|_| drills).map(|[torque, force]| Kick {
+                torque: part * torque * steady.torque,
+                force: part * force.abs() * steady.weight,
+                duration: begins.rise.max(self.profile.rise()) + self.kick_time,
+            });
+            return (Start::Rest, 0.0, kick);
+        }
         let motion = rotation(string, sites, surface_speed, steady.torque);
         let kick = self.kick.unwrap_or(Kick {
             torque: -part * steady.torque,
             force: part * steady.weight,
             duration: self.kick_time,
         });
+        let [torque, force] = chance.unwrap_or([1.0; 2]);
+        let kick = Kick {
+            torque: torque * kick.torque,
+            force: force * kick.force,
+            ..kick
+        };
         (Start::Steady(motion), steady.rate, Some(kick))
+    }
+}
+
+/// How a case begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Begins {
+    /// Drilling steadily; else at rest.
+    pub steadily: bool,
+    /// What disturbs it, as a part of torque and weight of steady drilling.
+    pub disturbance: f64,
+    /// The number of a start by chance; at zero, or where there is none, nothing is left to it.
+    pub number: Option<f64>,
+    /// How long the surface takes to reach its speed, s.
+    pub rise: f64,
+}
+
+/// What numbers of starts are drawn by: the same start has the same disturbance in any sweep.
+const SEED_OF_STARTS: u64 = 46;
+
+impl Begins {
+    /// What torque and force of a disturbance are multiplied by, from −1 to 1.
+    fn chance(&self) -> Option<[f64; 2]> {
+        let number = self.number.filter(|number| *number > 0.0)?;
+        let mut stream = Stream::new(SEED_OF_STARTS, number as u64);
+        Some([(); 2].map(|()| 2.0 * stream.part() - 1.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_start_number_is_the_same_disturbance_every_time() {
+        let begins = |number| Begins {
+            steadily: false,
+            disturbance: 0.01,
+            number,
+            rise: 0.0,
+        };
+        assert_eq!(begins(None).chance(), None);
+        assert_eq!(begins(Some(0.0)).chance(), None);
+        let all: Vec<[f64; 2]> = (1..200)
+            .filter_map(|number| begins(Some(f64::from(number))).chance())
+            .collect();
+        assert_eq!(all.len(), 199);
+        assert_eq!(begins(Some(7.0)).chance(), Some(all[6]));
+        let inside = all.iter().flatten().all(|it| (-1.0..1.0).contains(it));
+        let mean = all.iter().flatten().sum::<f64>() / 398.0;
+        assert!(inside && mean.abs() < 0.1, "{mean}");
     }
 }

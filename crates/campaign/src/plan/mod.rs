@@ -44,7 +44,7 @@ pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};
 pub use compare::Comparison;
 pub use conditions::Conditions;
-pub use cutting::{CuttingSettings, SteadyDrilling};
+pub use cutting::{Begins, CuttingSettings, SteadyDrilling};
 pub use data::Data;
 pub use finding::Finding;
 pub use impulses::{ImpulseAmount, ImpulseSettings, LARGEST_IMPULSE};

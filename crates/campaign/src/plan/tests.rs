@@ -340,7 +340,7 @@ fn what_does_not_go_with_a_mud_motor_is_refused_by_its_key() {
     assert_eq!(motor.rotor_inertia, 3.0);
 }
 
-const CUTTING: &str = "surface_speed_rpm = 120\n[bit]\nrock = \"sandstone\"\nweight_on_bit_kn = 60\n\
+const CUTTING: &str = "methods = [\"held\"]\nsurface_speed_rpm = 120\n[bit]\nrock = \"sandstone\"\nweight_on_bit_kn = 60\n\
                        [bit.cutting]\nblades = 6\n";
 
 #[test]
@@ -355,10 +355,14 @@ fn what_does_not_go_with_a_bit_that_cuts_is_refused_by_its_key() {
         (before("start = \"both\""), "start"),
         (before("accuracy = \"1 %\""), "accuracy"),
         (
-            before("methods = [\"held\", \"finite-element\"]\ncertify = true"),
+            CUTTING.replace(
+                "[\"held\"]",
+                "[\"held\", \"finite-element\"]\ncertify = true",
+            ),
             "certify",
         ),
         (before("sampling_frequency_hz = 5"), "sampling_frequency_hz"),
+        (CUTTING.replace("\"held\"", "\"hilbert\""), "methods"),
         (after("relief_deg = 80"), "bit.cutting.relief_deg"),
         (
             after("blade_angles_deg = [180, 180]"),

@@ -39,6 +39,8 @@ pub enum Axis {
     TorqueDecay,
     /// A constant of the rock's own law.
     Rock(RockConstant),
+    /// Number of a start that is disturbed by chance; its whole part counts.
+    StartNumber,
 }
 
 /// A quantity of the borehole wall. The exponent of Hertz' law is not among them: it is always 3/2.

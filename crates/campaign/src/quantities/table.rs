@@ -57,7 +57,7 @@ const fn at_site(quantity: WallQuantity) -> Axis {
 
 /// One axis of every kind: operating conditions in the order of their columns, then
 /// quantities of the string.
-const KINDS: [Axis; 45] = [
+const KINDS: [Axis; 46] = [
     Axis::SurfaceSpeedRpm,
     Axis::WeightOnBitKn,
     Axis::TorqueDynamicNm,
@@ -87,6 +87,7 @@ const KINDS: [Axis; 45] = [
     Axis::Rock(RockConstant::WearFlat),
     Axis::Rock(RockConstant::PoorCleaningFrom),
     Axis::Rock(RockConstant::PoorCleaningSlope),
+    Axis::StartNumber,
     Axis::String(StringAxis::TorsionalDamping),
     Axis::String(StringAxis::BendingDamping),
     Axis::String(StringAxis::Compression),
@@ -148,6 +149,7 @@ impl Axis {
                 RockConstant::PoorCleaningFrom => row("rock_poor_cleaning_from_kn", ("Weight on bit from which cleaning is poor", ""), (1e-3, 1e5, "kN")),
                 RockConstant::PoorCleaningSlope => row("rock_poor_cleaning_nm_per_kn", ("Torque per weight on bit where cleaning is poor", ""), (1e-6, 1e6, "N m/kN")),
             },
+            Axis::StartNumber => row("start_number", ("Number of the start", ""), (0.0, 1e6, "")),
             Axis::String(axis) => match axis {
                 StringAxis::DriveInertia => row("top_drive_inertia_kg_m2", ("Inertia of the top drive", ""), (0.0, 1e6, "kg m²")),
                 StringAxis::ProportionalGain => row("proportional_gain_knms_rad", ("Proportional gain K_p", "K_p"), (1e-6, 1e6, "kN m s/rad")),

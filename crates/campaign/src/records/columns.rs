@@ -161,7 +161,8 @@ pub static COLUMNS: &[ResultColumn] = &[
     )
     .of(Motion::Axial)
     .group(Group::Cutting)
-    .measure(),
+    .measure()
+    .severity(),
     number(
         "rate_of_penetration_ratio",
         "",
@@ -179,7 +180,8 @@ pub static COLUMNS: &[ResultColumn] = &[
     )
     .of(Motion::Axial)
     .group(Group::Cutting)
-    .measure(),
+    .measure()
+    .severity(),
     number(
         "axial_rest_fraction",
         "",

@@ -31,6 +31,11 @@ impl Measure {
         all().filter(|measure| measure.0.is_severity)
     }
 
+    /// That of a column of `labels.csv`.
+    pub fn named(column: &str) -> Option<Self> {
+        all().find(|measure| measure.column() == column)
+    }
+
     /// Its column in `labels.csv`.
     pub fn column(self) -> &'static str {
         self.0.name
@@ -77,8 +82,7 @@ impl Serialize for Measure {
 impl<'de> Deserialize<'de> for Measure {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = String::deserialize(deserializer)?;
-        let measure = all().find(|measure| measure.column() == name);
-        measure.ok_or_else(|| D::Error::unknown_variant(&name, &NAMES))
+        Self::named(&name).ok_or_else(|| D::Error::unknown_variant(&name, &NAMES))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The frequencies themselves, by bisection on their count.
 
 use super::bending::{self, Stretch};
-use super::torsion;
+use super::rod;
 use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
 use crate::drillstring::Drillstring;
@@ -31,7 +31,9 @@ pub struct NaturalFrequencies {
 /// How it swings.
 #[derive(Debug, Clone)]
 pub(super) enum Motion {
-    Torsion,
+    /// As a rod that twists, or stretches; of one that hangs, the mass that its upper end moves with,
+    /// kg.
+    Rod { hanging: Option<f64> },
     Bending {
         bending: Bending,
         support: SurfaceSupport,
@@ -57,11 +59,26 @@ impl NaturalFrequencies {
     pub fn torsion(string: &Drillstring) -> Result<Self, BuildError> {
         let sections = string.sections().to_vec();
         let string = Drillstring::new(string.material(), sections, 0.0)?;
-        Ok(Self {
-            slowest: NOTHING * torsion::least(&string),
+        Ok(Self::of_rod(string, None))
+    }
+
+    /// Those of a string along its axis, with any damping, as a rod that stretches
+    /// ([`crate::Axial::rod`]). Where it hangs from a hoist the upper end is free to move with the
+    /// mass of that, which is one mode without a restoring force; else it is held.
+    ///
+    /// # Errors
+    /// Where the string cannot be cut up.
+    pub fn axial(rod: &Drillstring) -> Result<Self, BuildError> {
+        let hanging = rod.top_drive().map(|hoist| hoist.inertia);
+        Ok(Self::of_rod(rod.undamped()?, hanging))
+    }
+
+    fn of_rod(string: Drillstring, hanging: Option<f64>) -> Self {
+        Self {
+            slowest: NOTHING * rod::least(&string),
             string,
-            motion: Motion::Torsion,
-        })
+            motion: Motion::Rod { hanging },
+        }
     }
 
     /// Those of a string in bending, with any damping, under its axial force and in its mud.
@@ -117,7 +134,7 @@ impl NaturalFrequencies {
     /// Where the string's constants are so extreme that its waves have no size.
     pub fn below(&self, omega: f64) -> Result<usize, BuildError> {
         let count = |omega: f64| match &self.motion {
-            Motion::Torsion => torsion::below(&self.string, omega),
+            Motion::Rod { hanging } => rod::below(&self.string, *hanging, omega),
             Motion::Bending {
                 bending,
                 support,
@@ -139,7 +156,7 @@ impl NaturalFrequencies {
     /// Pieces that are gone through to count those below an angular frequency (rad/s).
     pub fn pieces(&self, omega: f64) -> f64 {
         match &self.motion {
-            Motion::Torsion => self.string.tubes().map(|(count, _)| count).sum(),
+            Motion::Rod { .. } => self.string.tubes().map(|(count, _)| count).sum(),
             Motion::Bending {
                 bending, stretches, ..
             } => bending::pieces(&self.string, bending, stretches, omega),

@@ -8,7 +8,8 @@
 //! 263–284). Bisection on that count finds all of them, however close two are.
 //!
 //! In torsion the surface is held at its speed; a top drive is left out, as its controller damps
-//! (with it: [`crate::modes`]). In bending the surface is held as [`crate::SurfaceSupport`] says.
+//! (with it: [`crate::modes`]). Along the axis it is held, or, of a string that hangs from a hoist, free
+//! to move with the mass of that. In bending the surface is held as [`crate::SurfaceSupport`] says.
 //! The bit is free, and so is the string where it may touch the borehole wall, unless places are
 //! said to hold it.
 //!
@@ -35,8 +36,8 @@
 
 mod bending;
 mod frequencies;
+mod rod;
 mod shapes;
-mod torsion;
 
 pub use frequencies::{NaturalFrequencies, held_lateral_frequencies_below};
 pub use shapes::Shape;

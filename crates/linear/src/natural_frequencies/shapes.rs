@@ -77,7 +77,7 @@ impl NaturalFrequencies {
         let length = self.string.length();
         let held = match &self.motion {
             Motion::Bending { held, .. } => held.as_ref(),
-            Motion::Torsion => None,
+            Motion::Rod { .. } => None,
         };
         let held: Vec<f64> = held.map_or_else(Vec::new, |held| held.depths(&self.string).collect());
         let top = held.first().copied().unwrap_or(0.0);
@@ -96,7 +96,7 @@ impl NaturalFrequencies {
     fn responses(&self, sites: &Sites, frequency: f64) -> Result<Mat<Complex64>, BuildError> {
         let s = Complex64::new(0.0, frequency * (1.0 + OFF_RESONANCE));
         match &self.motion {
-            Motion::Torsion => {
+            Motion::Rod { .. } => {
                 let network = TorsionNetwork::new(&self.string, sites)?;
                 Ok(matrix(&network.admittance(s).from_torque))
             }
@@ -128,8 +128,10 @@ impl NaturalFrequencies {
     }
 
     fn holds_top(&self) -> bool {
-        let free = SurfaceSupport::Free;
-        !matches!(self.motion, Motion::Bending { support, .. } if support == free)
+        match self.motion {
+            Motion::Rod { hanging } => hanging.is_none(),
+            Motion::Bending { support, .. } => support != SurfaceSupport::Free,
+        }
     }
 }
 

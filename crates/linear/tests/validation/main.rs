@@ -1,6 +1,7 @@
 //! Held to closed forms, to other methods and to other programs.
 
 mod axial_force;
+mod axial_modes;
 mod bending_responses;
 mod convergence;
 mod elements;

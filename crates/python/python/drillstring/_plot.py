@@ -111,7 +111,8 @@ def draw_history(simulation: Simulation, axes: Sequence[Axes] | None) -> list[Ax
 
 def _panels(motion: Motion) -> list[tuple[str, NDArray[np.float64]]]:
     # As `sweep simulate` has them: the radius at every site of a string that moves sideways, else
-    # speeds from the bit up and the torque on it; what the surface does where that is followed.
+    # speeds from the bit up and the torque on it; how a bit cuts; what the surface does where that
+    # is followed.
     panels: list[tuple[str, NDArray[np.float64]]] = []
     positions, sites = motion.positions, list(enumerate(motion.sites))
     if positions is not None:
@@ -124,6 +125,13 @@ def _panels(motion: Motion) -> list[tuple[str, NDArray[np.float64]]]:
             panels.append((f"{place} (rpm)", motion.speeds[site] / RPM))
         if motion.bit_torque is not None:
             panels.append(("Torque on bit (kN m)", -1e-3 * motion.bit_torque))
+    for label, in_unit, values in (
+        ("Weight on bit (kN)", 1e-3, motion.weight_on_bit),
+        ("Depth of cut (mm)", 1e3, motion.depth_of_cut),
+        ("Depth of the bit (mm)", 1e3, motion.bit_depth),
+    ):
+        if values is not None:
+            panels.append((label, in_unit * values))
     if motion.surface_torque is not None:
         panels.append(("Torque at surface (kN m)", 1e-3 * motion.surface_torque))
     if positions is None and motion.surface_speed is not None:

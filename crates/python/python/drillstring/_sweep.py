@@ -185,6 +185,7 @@ class Sweep:
         risk: float = 0.1,
         bins: int = 10,
         clearance: float = 0.05,
+        accept_chatter: bool = False,
     ) -> Window:
         """Where, over weight on bit and surface speed, no limit is near, as ``sweep window`` finds
         it from results folders of this string; where none is named, from ``results/NAME``.
@@ -193,7 +194,8 @@ class Sweep:
         the places that hold it (from the bit, in m or the file's units), ``margin`` the part by
         which critical speeds and friction may be off, ``risk`` the part of random cases with
         vibration up to which a cell is safe, ``bins`` the ranges that they are counted in, and
-        ``clearance`` the part of either axis that the best point keeps from every limit.
+        ``clearance`` the part of either axis that the best point keeps from every limit. Of a bit
+        that cuts, ``accept_chatter`` counts axial chatter as safe while the bit stays in its rock.
         """
         cells, best = self._sweep._window(
             None if folders is None else paths(folders),
@@ -203,6 +205,7 @@ class Sweep:
             risk=risk,
             bins=bins,
             clearance=clearance,
+            accept_chatter=accept_chatter,
         )
         return Window(cells, best)
 

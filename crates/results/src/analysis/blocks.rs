@@ -47,8 +47,9 @@ impl Quantity {
                 Some(f64::from(u8::from(found == label)))
             }
             Quantity::Severity(measure) => {
+                // Those that are read are the first of all.
                 let place = Measure::severities().position(|read| read == measure)?;
-                row.measures[place]
+                row.measures.get(place).copied().flatten()
             }
         }
     }
@@ -101,9 +102,19 @@ pub fn blocks_of(
     Ok(all)
 }
 
+/// The severities that tables have columns of: those along the axis, the last, where the bit cuts.
+fn severities_in(tables: &[ResultTables]) -> Vec<Measure> {
+    let cuts = tables.iter().all(|tables| {
+        let bit = tables.manifest.sweep.bit.as_ref();
+        bit.is_some_and(|bit| bit.cutting.is_some())
+    });
+    let is_there = |measure: &Measure| cuts || measure.motion() != Some(Motion::Axial);
+    Measure::severities().take_while(is_there).collect()
+}
+
 /// The cases of all tables in the order of their numbers.
 fn in_order(tables: &[ResultTables]) -> Result<impl Iterator<Item = Result<CaseRows>>> {
-    let severities: Vec<Measure> = Measure::severities().collect();
+    let severities = severities_in(tables);
     let mut sources = (tables.iter())
         .map(|tables| {
             let labels = tables.folder.join("labels.csv");

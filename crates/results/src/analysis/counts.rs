@@ -44,9 +44,14 @@ impl Group {
 
     /// How many of the rows in each cell have sustained vibration, of those long enough to tell.
     pub fn sustained(&self) -> Vec<[usize; 2]> {
+        self.counted(Label::is_sustained)
+    }
+
+    /// The same of what some labels tell.
+    pub fn counted(&self, tells: impl Fn(Label) -> Option<bool>) -> Vec<[usize; 2]> {
         let mut cells = vec![[0; 2]; self.all.len()];
         for (label, counts) in &self.labels {
-            let Some(is_sustained) = label.is_sustained() else {
+            let Some(is_sustained) = tells(*label) else {
                 continue;
             };
             for ([sustained, classified], count) in cells.iter_mut().zip(counts) {

@@ -14,4 +14,6 @@ pub struct WindowAsked {
     pub risk: f64,
     /// Ranges of either axis that random cases are counted in.
     pub bins: usize,
+    /// Whether axial chatter is safe while the bit stays in its rock.
+    pub accept_chatter: bool,
 }

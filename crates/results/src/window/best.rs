@@ -24,6 +24,9 @@ pub struct Best {
     pub standing: Standing,
     /// Whether that is as much as was asked for; else it is the safe point that has most.
     pub is_as_asked: bool,
+    /// Rate of penetration there, m/h, of a bit that cuts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rate_of_penetration_m_h: Option<f64>,
     /// How far it is to a limit, by axis, downwards and upwards.
     #[serde(serialize_with = "by_axis")]
     pub room: [[Room; 2]; 2],
@@ -53,8 +56,8 @@ impl Best {
 
 impl Chart {
     /// Of the points that stay safe when weight and speed are off by a part `clearance` of their
-    /// axes, together, the one with the greatest weight times speed: the power that a bit spends
-    /// on the rock grows with both. Those that are clear of every limit go before those that are
+    /// axes, together, the one with the greatest rate of penetration, where that is known; else with
+    /// the greatest weight times speed: the power that a bit spends on the rock grows with both. Those that are clear of every limit go before those that are
     /// safe unless something is begun. Where no point stays so, the safe one that may be off by
     /// most; none where nothing is safe. Beyond the ends of the map nothing is known: a point keeps
     /// its distance from them as from a limit.
@@ -63,8 +66,7 @@ impl Chart {
         let as_asked = levels.into_iter().find_map(|standing| {
             let points = self.clearances(standing);
             let kept = points.iter().filter(|(_, own)| *own >= clearance);
-            let product = |cell: usize| self.middle(cell).into_iter().product::<f64>();
-            let best = kept.max_by(|one, other| product(one.0).total_cmp(&product(other.0)));
+            let best = kept.max_by(|one, other| self.merit(one.0).total_cmp(&self.merit(other.0)));
             best.map(|&(cell, own)| (standing, cell, own))
         });
         // Of equals the last, which is clear.
@@ -83,8 +85,17 @@ impl Chart {
             clearance: own,
             standing,
             is_as_asked,
+            rate_of_penetration_m_h: self.rate(cell),
             room: [0, 1].map(room),
         })
+    }
+
+    /// What a cell is good for: a rate that is not known for nothing.
+    fn merit(&self, cell: usize) -> f64 {
+        match self.rates.is_empty() {
+            true => self.middle(cell).into_iter().product(),
+            false => self.rate(cell).unwrap_or(0.0),
+        }
     }
 
     /// The cells that stand no worse than that, each with the part by which it may be off.
@@ -234,6 +245,24 @@ mod tests {
             let [w, s] = [weight + 6.4 * sides[0], speed + 12.8 * sides[1]];
             assert!(s >= 2.0 * w && s <= 192.0, "{w} {s}");
         }
+    }
+
+    /// Faster drilling with less weight, as where a bit founders.
+    #[test]
+    fn the_best_point_drills_fastest_where_the_rate_is_known() {
+        let chart = wedge().with_rates(|[weight, speed]| Some(speed * (100.0 - weight)));
+        let best = chart.best(0.05).expect("a point");
+        // As light and as fast as the distance to the ends allows.
+        assert!((best.at[0] - 6.4).abs() < 1.0, "{best:?}");
+        assert!((best.at[1] - (192.0 - 12.8)).abs() < 3.0, "{best:?}");
+        let rate = best.rate_of_penetration_m_h.expect("a rate");
+        assert!((rate - best.at[1] * (100.0 - best.at[0])).abs() < 1e-9);
+        let unknown = wedge().with_rates(|[weight, _]| (weight > 40.0).then_some(1.0));
+        assert!(unknown.best(0.05).expect("a point").at[0] > 40.0);
+        assert_eq!(
+            wedge().best(0.05).expect("a point").rate_of_penetration_m_h,
+            None
+        );
     }
 
     #[test]

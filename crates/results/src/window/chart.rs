@@ -63,6 +63,8 @@ pub struct Chart {
     pub edges: [Vec<f64>; 2],
     /// The limits.
     pub limits: Vec<Limit>,
+    /// Rate of penetration in each cell, m/h, where it is known; empty where no bit cuts.
+    pub rates: Vec<Option<f64>>,
 }
 
 impl Chart {
@@ -75,6 +77,7 @@ impl Chart {
         let mut chart = Self {
             edges,
             limits: Vec::new(),
+            rates: Vec::new(),
         };
         let limits = sources.into_iter().map(|source| Limit {
             standings: (chart.cells())
@@ -87,6 +90,18 @@ impl Chart {
         let limits = limits.collect();
         chart.limits = limits;
         chart
+    }
+
+    /// The same with the rate of penetration, m/h, at any weight (kN) and speed (rpm).
+    #[must_use]
+    pub fn with_rates(mut self, at: impl Fn([f64; 2]) -> Option<f64>) -> Self {
+        self.rates = self.cells().map(|cell| at(self.middle(cell))).collect();
+        self
+    }
+
+    /// The rate of penetration in a cell, m/h, where it is known.
+    pub fn rate(&self, cell: usize) -> Option<f64> {
+        self.rates.get(cell).copied().flatten()
     }
 
     /// Cells along either axis.
@@ -162,17 +177,19 @@ impl Chart {
 }
 
 /// The columns of a chart as a table, in SI units.
-pub const WINDOW_COLUMNS: [(&str, Kind); 6] = [
+pub const WINDOW_COLUMNS: [(&str, Kind); 7] = [
     ("weight_on_bit_kn_from", Kind::Number),
     ("weight_on_bit_kn_to", Kind::Number),
     ("surface_speed_rpm_from", Kind::Number),
     ("surface_speed_rpm_to", Kind::Number),
     ("standing", Kind::Text),
     ("limits", Kind::Text),
+    ("rate_of_penetration_m_h", Kind::Number),
 ];
 
 impl Chart {
-    /// Every cell by these columns: where it is, how it stands, and what it is not clear of.
+    /// Every cell by these columns: where it is, how it stands, what it is not clear of, and how fast
+    /// it drills.
     pub fn rows(&self) -> impl Iterator<Item = [Field<'_>; WINDOW_COLUMNS.len()]> {
         self.cells().map(|cell| {
             let [[weight, to_weight], [speed, to_speed]] = self.ends(cell);
@@ -184,6 +201,7 @@ impl Chart {
                 to_speed.into(),
                 self.standing(cell).key().into(),
                 (!limits.is_empty()).then(|| limits.join("; ")).into(),
+                self.rate(cell).into(),
             ]
         })
     }

@@ -37,11 +37,12 @@ pub fn limits(
 /// What may shake the string sideways or along itself, and has no limit on the chart.
 pub fn not_examined(sweep: &Sweep, asked: &WindowAsked) -> Vec<String> {
     let axial = "vibration along the string, and a bit that bounces: they are not modelled";
+    let axial = sweep.setting.cutting.is_none().then(|| axial.to_owned());
     let sideways = match &sweep.setting.lateral {
         None => Some("vibration sideways and whirl: the file has no [wall]".to_owned()),
         Some(lateral) => above_the_uppermost(sweep, lateral, asked),
     };
-    sideways.into_iter().chain([axial.to_owned()]).collect()
+    sideways.into_iter().chain(axial).collect()
 }
 
 /// A part is wider than pipe if it is this much wider than the body of the uppermost section.

@@ -3,7 +3,7 @@
 //! What a limit says of a stretch of the map is its `standing` there: by cases at the points of a
 //! lattice or in ranges (`simulated`), or by an analytic curve (`analytic`). A `chart` puts the
 //! limits over one another; `regions` are where all of them are clear, and `best` is the point
-//! in them that a stated rule prefers. An `operating` window is all that of a sweep and results
+//! in them that a stated rule prefers; of a bit that cuts by its `rates` of penetration. An `operating` window is all that of a sweep and results
 //! folders of its string (`of_folders`, `lateral`).
 //!
 //! Above 80 rpm and below 60 kN, each limit uncertain by 5:
@@ -12,7 +12,8 @@
 //! use results::window::{Chart, Drawn, Limit, Standing};
 //!
 //! let edges = |from: f64, step: f64| (0..=20).map(|line| from + step * f64::from(line)).collect();
-//! let mut chart = Chart { edges: [edges(0.0, 5.0), edges(40.0, 6.0)], limits: Vec::new() };
+//! let edges = [edges(0.0, 5.0), edges(40.0, 6.0)];
+//! let mut chart = Chart { edges, limits: Vec::new(), rates: Vec::new() };
 //! let ends: Vec<_> = chart.cells().map(|cell| chart.ends(cell)).collect();
 //! let limit = |name: &str, standing: &dyn Fn([[f64; 2]; 2]) -> Standing| Limit {
 //!     name: name.to_owned(),
@@ -42,6 +43,7 @@ mod error;
 mod lateral;
 mod of_folders;
 mod operating;
+mod rates;
 mod regions;
 mod simulated;
 mod standing;

@@ -32,7 +32,7 @@ pub fn limits(
     for (folder, tables) in all {
         let manifest = &tables.manifest;
         for motion in manifest.tally.motions() {
-            let found = simulated(tables, motion, asked.bins, asked.risk)
+            let found = simulated(tables, motion, asked)
                 .with_context(|| folder.display().to_string())
                 .map_err(WindowError::Results)?;
             for (range, edges) in ranges.iter_mut().zip(found.edges()) {
@@ -40,7 +40,7 @@ pub fn limits(
                 *range = [range[0].max(first), range[1].min(last)];
             }
             let is_alone = all.len() == 1;
-            sources.push(of_cases(found, manifest, motion, is_alone, asked.risk));
+            sources.push(of_cases(found, manifest, motion, is_alone, asked));
         }
         curves.extend(curves_of(
             &tables.boundary().map_err(WindowError::Results)?,
@@ -64,9 +64,12 @@ fn of_cases(
     manifest: &Manifest,
     motion: Motion,
     is_alone: bool,
-    risk: f64,
+    asked: &WindowAsked,
 ) -> Source<'static> {
-    let [regime, _] = motion.regimes();
+    let regime = match motion {
+        Motion::Axial if asked.accept_chatter => "bit bounce",
+        _ => motion.regimes()[0],
+    };
     // Names without commas, for they stand in a table.
     let of = match is_alone {
         true => String::new(),
@@ -74,7 +77,7 @@ fn of_cases(
     };
     Source {
         name: format!("{regime} (simulated{of})"),
-        description: describe(&found, manifest, risk),
+        description: describe(&found, manifest, asked.risk),
         edges: found.edges(),
         standing: Box::new(move |ends| found.standing(ends)),
         drawn: Drawn::Edge,
@@ -122,6 +125,10 @@ fn of_curves(
 ) -> Result<Option<Source<'static>>, WindowError> {
     // Where smooth rotation is lost, stick-slip follows, which can last there anyway.
     curves.retain(|curve| curve.method.is_some());
+    // Of a bit that cuts no torque is given for it.
+    if sweep.setting.cutting.is_some() {
+        return Ok(None);
+    }
     // Where the string rubs along its well, that has a part in it.
     if sweep.content.string_friction.is_none() {
         let exact = exact_stick_slip_limit(sweep, weights)?;

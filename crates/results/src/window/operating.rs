@@ -8,6 +8,7 @@ use super::chart::Chart;
 use super::error::WindowError;
 use super::lateral;
 use super::of_folders;
+use super::rates::Rates;
 use super::simulated::AXES;
 use crate::folder::{ResultTables, differences};
 use campaign::plan::Sweep;
@@ -37,8 +38,19 @@ impl OperatingWindow {
         }
         let (ranges, mut sources) = of_folders::limits(sweep, all, asked)?;
         sources.extend(lateral::limits(sweep, ranges, asked)?);
+        let rates = all.iter().map(|(_, tables)| Rates::of(tables, asked.bins));
+        let rates = rates.collect::<Result<Vec<_>, _>>();
+        let rates = rates
+            .map_err(WindowError::Results)?
+            .into_iter()
+            .flatten()
+            .next();
+        let chart = Chart::new(ranges, sources);
         Ok(Self {
-            chart: Chart::new(ranges, sources),
+            chart: match rates {
+                Some(rates) => chart.with_rates(|place| rates.at(place)),
+                None => chart,
+            },
             not_examined: lateral::not_examined(sweep, asked),
         })
     }

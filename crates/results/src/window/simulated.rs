@@ -1,8 +1,9 @@
 //! Limits by simulated cases: at the points of a lattice, or in ranges of random cases.
 
 use anyhow::{Result, bail};
-use sim::Motion;
+use sim::{AxialRegime, Label, Motion};
 
+use super::asked::WindowAsked;
 use super::standing::Standing;
 use crate::analysis::{Bins, Counts, count_cases, wilson};
 use crate::folder::{Manifest, ResultTables, read_cases};
@@ -13,6 +14,23 @@ use campaign::trace::Class;
 
 /// The axes of a chart.
 pub const AXES: [Axis; 2] = [Axis::WeightOnBitKn, Axis::SurfaceSpeedRpm];
+
+/// Which labels are vibration.
+#[derive(Debug, Clone, Copy, Default)]
+struct Vibrates {
+    /// Whether chatter of a bit that stays in its rock does not count.
+    chatter_is_safe: bool,
+}
+
+impl Vibrates {
+    /// `None` of a case too short to tell.
+    fn of(self, label: Label) -> Option<bool> {
+        match label {
+            Label::Axial(AxialRegime::AxialChatter) if self.chatter_is_safe => Some(false),
+            label => label.is_sustained(),
+        }
+    }
+}
 
 /// What simulated cases say of a motion, by all methods together.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,21 +82,25 @@ pub struct Cells {
 }
 
 /// What the cases of a results folder say of a motion: each is with sustained vibration or
-/// without. Random cases are counted in a number of ranges of either axis, and a cell is clear
-/// where no more than a fraction `risk` of its cases has the vibration: the upper end of Wilson's
+/// without. Random cases are counted in the ranges of either axis that are asked for, and a cell is clear
+/// where no more than a fraction, the risk, of its cases has the vibration: the upper end of Wilson's
 /// interval, by every method; against it where the lower end is more.
 ///
 /// # Errors
 /// Where the cases do not say that over both axes, or the tables cannot be read.
-pub fn simulated(
-    tables: &ResultTables,
-    motion: Motion,
-    ranges: usize,
-    risk: f64,
-) -> Result<Simulated> {
+pub fn simulated(tables: &ResultTables, motion: Motion, asked: &WindowAsked) -> Result<Simulated> {
+    let vibrates = Vibrates {
+        chatter_is_safe: asked.accept_chatter,
+    };
     let manifest = &tables.manifest;
     if let Some(design) = manifest.traced_design() {
         let found = TracedLimits::read(&labels(tables), &design, &manifest.method_names())?;
+        if asked.accept_chatter && motion == Motion::Axial {
+            bail!(
+                "is a trace of where axial vibration begins: accepting chatter needs a grid or \
+                   random cases"
+            );
+        }
         if let Some(limits) = found {
             return Ok(Simulated::At(traced(&limits, manifest, motion)));
         }
@@ -87,18 +109,19 @@ pub fn simulated(
         bail!("holds a trace that is not finished: its limits are not known yet");
     }
     if kind_of(tables).is_some_and(DesignKind::is_random) {
-        let counts = count_cases(std::slice::from_ref(tables), &[AXES.to_vec()], ranges)?;
-        return Ok(Simulated::In(cells(&counts[0], motion, risk)));
+        let counts = count_cases(std::slice::from_ref(tables), &[AXES.to_vec()], asked.bins)?;
+        let cells = cells(&counts[0], motion, (asked.risk, vibrates));
+        return Ok(Simulated::In(cells));
     }
-    points(tables, motion).map(Simulated::At)
+    points(tables, motion, vibrates).map(Simulated::At)
 }
 
-fn kind_of(tables: &ResultTables) -> Option<DesignKind> {
+pub fn kind_of(tables: &ResultTables) -> Option<DesignKind> {
     let design = tables.manifest.sweep.design.as_ref();
     design.map(|design| design.kind)
 }
 
-fn labels(tables: &ResultTables) -> std::path::PathBuf {
+pub fn labels(tables: &ResultTables) -> std::path::PathBuf {
     tables.folder.join("labels.csv")
 }
 
@@ -139,14 +162,14 @@ fn traced(limits: &TracedLimits, manifest: &Manifest, motion: Motion) -> Points 
 }
 
 /// Cases that are at every combination of some weights and speeds.
-fn points(tables: &ResultTables, motion: Motion) -> Result<Points> {
+fn points(tables: &ResultTables, motion: Motion, vibrates: Vibrates) -> Result<Points> {
     let mut cases = Vec::new();
     for case in read_cases(&labels(tables), &AXES)? {
         let case = case?;
         let mut at = Found::default();
         for row in &case.rows {
             at.uncertain |= row.certainty[motion] == Some(false);
-            match row.labels.is_sustained(motion) {
+            match row.labels[motion].and_then(|label| vibrates.of(label)) {
                 Some(true) => at.with = true,
                 Some(false) => at.without = true,
                 None => at.undetermined = true,
@@ -188,7 +211,7 @@ fn points(tables: &ResultTables, motion: Motion) -> Result<Points> {
 }
 
 /// Random cases; one that does not tell counts as one with the vibration.
-fn cells(counts: &Counts, motion: Motion, risk: f64) -> Cells {
+fn cells(counts: &Counts, motion: Motion, (risk, vibrates): (f64, Vibrates)) -> Cells {
     let ranges: usize = counts.bins.iter().map(|bins| bins.ranges.len()).product();
     let mut standings = vec![Standing::Undetermined; ranges];
     let groups = counts
@@ -196,7 +219,7 @@ fn cells(counts: &Counts, motion: Motion, risk: f64) -> Cells {
         .iter()
         .filter(|(_, other, _)| *other == motion);
     for (index, (_, _, group)) in groups.enumerate() {
-        let sustained = group.sustained();
+        let sustained = group.counted(|label| vibrates.of(label));
         for (cell, standing) in standings.iter_mut().enumerate() {
             let [with, classified] = sustained[cell];
             let all = group.all[cell];
@@ -292,9 +315,32 @@ impl Points {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn chatter_is_vibration_unless_it_is_accepted() {
+        let of = |chatter_is_safe, regime| Vibrates { chatter_is_safe }.of(Label::Axial(regime));
+        use AxialRegime::{AxialChatter, BitBounce, Steady};
+        let all = [Steady, AxialChatter, BitBounce];
+        assert_eq!(
+            all.map(|it| of(false, it)),
+            [Some(false), Some(true), Some(true)]
+        );
+        assert_eq!(
+            all.map(|it| of(true, it)),
+            [Some(false), Some(false), Some(true)]
+        );
+        let stick_slip = Label::Torsion(TorsionRegime::StickSlip);
+        assert_eq!(
+            Vibrates {
+                chatter_is_safe: true
+            }
+            .of(stick_slip),
+            Some(true)
+        );
+    }
     use crate::analysis::Group;
     use campaign::sweep_file::Spacing;
-    use sim::{Label, TorsionRegime};
+    use sim::TorsionRegime;
 
     #[test]
     fn a_limit_passes_between_points_that_differ() {
@@ -361,7 +407,7 @@ mod tests {
                 rows: 0,
                 unanswered: 0,
             };
-            cells(&counts, Motion::Torsion, 0.1).standings
+            cells(&counts, Motion::Torsion, (0.1, Vibrates::default())).standings
         };
         use Standing::{Against, Clear, Near, Undetermined};
         assert_eq!(

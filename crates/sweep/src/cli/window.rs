@@ -33,6 +33,9 @@ pub struct WindowArguments {
     /// Ranges of either axis that random cases are counted in
     #[arg(long, default_value = "10", value_parser = clap::value_parser!(u16).range(2..=100))]
     pub bins: u16,
+    /// Of a bit that cuts, axial chatter is safe as long as the bit stays in its rock
+    #[arg(long)]
+    pub accept_chatter: bool,
     /// The part of either axis that the best point keeps from every limit
     #[arg(long, default_value_t = 0.05, value_parser = parse_part)]
     pub clearance: f64,

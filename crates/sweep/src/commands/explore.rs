@@ -73,6 +73,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         return Ok(Status::SomeFailed);
     };
     let controls = controls(&sweep, &case);
+    let duration = case.scene.timing.duration;
     let picture = history_picture(&Look::default(), &sweep, &[case], &[simulation]);
     let html = page(&Explored {
         file,
@@ -80,6 +81,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         method,
         slow,
         texts,
+        duration,
         controls: &controls,
         whirl: whirl_lines(&sweep, &controls)?,
         row: &row,

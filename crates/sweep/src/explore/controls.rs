@@ -2,7 +2,7 @@
 
 use campaign::engine::{Case, unused_reason};
 use campaign::plan::Sweep;
-use campaign::quantities::{Axis, StringAxis, Units};
+use campaign::quantities::{Axis, RockConstant, StringAxis, Units};
 use campaign::sweep_file::ControllerName;
 use serde::Serialize;
 
@@ -51,6 +51,9 @@ pub fn controls(sweep: &Sweep, case: &Case) -> Vec<Control> {
         Axis::SurfaceSpeedRpm,
         Axis::WeightOnBitKn,
         Axis::TorqueDynamicNm,
+        Axis::FeedMH,
+        Axis::Rock(RockConstant::SpecificEnergy),
+        Axis::Rock(RockConstant::WearFlat),
         Axis::TorqueStaticRatio,
         Axis::StringFriction,
         Axis::StringFrictionRatio,
@@ -65,7 +68,7 @@ pub fn controls(sweep: &Sweep, case: &Case) -> Vec<Control> {
         Axis::String(StringAxis::DriveInertia),
     ];
     for axis in others {
-        if axes.contains(&axis) || unused_reason(sweep, axis).is_some() {
+        if axes.contains(&axis) || is_idle(sweep, axis) {
             continue;
         }
         if varies_torque && has_torque(&axis) {
@@ -79,6 +82,17 @@ pub fn controls(sweep: &Sweep, case: &Case) -> Vec<Control> {
         controls.push(control(axis, units, value, range));
     }
     controls
+}
+
+/// Whether a page has no use for a slider: nothing depends on it, or the bit has no such law.
+fn is_idle(sweep: &Sweep, axis: Axis) -> bool {
+    let cuts = sweep.setting.cutting.is_some();
+    let is_of_other_bits = match axis {
+        Axis::TorqueStaticRatio | Axis::TorqueDynamicNm => cuts,
+        Axis::Rock(_) => !cuts,
+        _ => false,
+    };
+    is_of_other_bits || unused_reason(sweep, axis).is_some()
 }
 
 fn control(axis: Axis, units: Units, value: f64, range: [f64; 2]) -> Control {

@@ -8,7 +8,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use campaign::labels::LabelTable;
 use campaign::plan::{StringFriction, Sweep};
-use campaign::quantities::{Axis, TORQUE, WIDTH};
+use campaign::quantities::{Axis, FORCE, TORQUE, WIDTH};
 use campaign::records::{Certainty, Record};
 use campaign::sweep_file::FileContent;
 use campaign::words::{file_word, short, site_title};
@@ -32,6 +32,9 @@ const SCRIPTS: [&str; 4] = [
     include_str!("../page/explore.js"),
 ];
 const ENGINE: &[u8] = include_bytes!("../page/engine.wasm.gz");
+
+/// Steps of a bit that cuts that take a page about a second.
+const STEPS_OF_A_SECOND: f64 = 3e5;
 
 /// Quickest to build where the string changes as a slider moves.
 const QUICK: &str = "quadrature";
@@ -58,6 +61,8 @@ pub struct Explored<'a> {
     pub slow: Option<&'static str>,
     /// Every text that was read for it.
     pub texts: BTreeMap<String, String>,
+    /// How long the case lasts, s.
+    pub duration: f64,
     /// What can be changed.
     pub controls: &'a [Control],
     /// The limits of whirl between walls.
@@ -145,12 +150,22 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
     };
     let torque = place(&[Axis::WeightOnBitKn, Axis::TorqueDynamicNm]);
     let stick_slip = torque.zip(place(&[Axis::SurfaceSpeedRpm]));
+    let cuts = sweep.setting.cutting.is_some();
     let has_limit = sweep.setting.lateral.is_none() && sweep.setting.friction.is_none();
-    let stick_slip = stick_slip.filter(|_| has_limit);
-    // That of stick-slip is found in the page, for each string anew.
-    let map = match &explored.whirl {
-        Some(lines) => Some(json!({ "axes": whirl::AXES, "lines": lines })),
-        None => stick_slip.map(|(torque, speed)| json!({ "axes": [torque, speed] })),
+    let stick_slip = stick_slip.filter(|_| has_limit && !cuts);
+    let drilling = place(&[Axis::WeightOnBitKn, Axis::FeedMH]).zip(place(&[Axis::SurfaceSpeedRpm]));
+    let drilling = drilling.filter(|_| cuts);
+    // That of stick-slip is found in the page, for each string anew; of a bit that cuts it is a place to
+    // drag the case to.
+    let map = match (&explored.whirl, drilling) {
+        (_, Some((set, speed))) => {
+            let lines: [LimitLine; 0] = [];
+            Some(json!({ "of": "drilling", "axes": [set, speed], "lines": lines }))
+        }
+        (Some(lines), None) => Some(json!({ "of": "whirl", "axes": whirl::AXES, "lines": lines })),
+        (None, None) => {
+            stick_slip.map(|(torque, speed)| json!({ "of": "stick_slip", "axes": [torque, speed] }))
+        }
     };
     let units = sweep.content.units;
     let sites = sweep.setting.sites.distances_from_bit().iter();
@@ -169,17 +184,35 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         "method": explored.method,
         "quick": QUICK,
         "slow": explored.slow,
-        "why": sweep.setting.friction.as_ref().map(why_long),
+        "why": why_long(explored),
         "controls": controls,
         "torque": shown(&units.of(&TORQUE).kilo()),
         "width": shown(&units.of(&WIDTH)),
+        "force": shown(&units.of(&FORCE)),
         "map": map,
         "command": format!("sweep simulate {} --case {case} --methods {}", file_word(&path), explored.method),
     }))
 }
 
-/// Why a case of a string that rubs takes long, for who waits.
-fn why_long(friction: &StringFriction) -> String {
+/// Why a case takes long, for who waits: of a string that rubs, or above a bit that cuts.
+fn why_long(explored: &Explored) -> Option<String> {
+    let sweep = explored.sweep;
+    let rubs = sweep.setting.friction.as_ref().map(why_rubbing_is_long);
+    let steps = explored.duration * sweep.setting.sampling_frequency;
+    let is_long = sweep.setting.cutting.is_some() && steps > STEPS_OF_A_SECOND;
+    let cuts = is_long.then(|| {
+        format!(
+            "A bit that cuts is followed to the end of its {} s, {:.0} thousand steps in torsion and along \
+             the axis, which takes seconds in a page. A shorter `time_s` takes less.",
+            short(explored.duration),
+            1e-3 * steps
+        )
+    });
+    rubs.or(cuts)
+}
+
+/// Of a string with friction along it.
+fn why_rubbing_is_long(friction: &StringFriction) -> String {
     format!(
         "With friction along it the string is stepped in {} pieces, for some of its longest periods: a \
          case of a long well takes seconds in a page. Fewer `pieces` and a shorter `time_s` take less.",

@@ -164,7 +164,7 @@ impl Histories<'_> {
         list
     }
 
-    /// Weight on bit and depth of cut of a bit that cuts.
+    /// Weight on bit, depth of cut and depth of a bit that cuts.
     fn of_cutting(&self) -> Vec<Panel> {
         let mut simulations = self.simulations.iter();
         if !simulations.all(|simulation| !simulation.trajectory.cut.is_empty()) {
@@ -185,6 +185,11 @@ impl Histories<'_> {
             self.panel(
                 &format!("Depth of cut ({})", width.name),
                 depths,
+                Vec::new(),
+            ),
+            self.panel(
+                &format!("Depth of the bit ({})", width.name),
+                self.of_each(&|trajectory, index| width.number(1e3 * trajectory.cut[index].depth)),
                 Vec::new(),
             ),
         ]

@@ -9,7 +9,7 @@ use campaign::plan::Sweep;
 use campaign::quantities::TORQUE;
 use campaign::records::to_rpm;
 use campaign::words::short;
-use plot::{Axis, LevelPanel, Look, Picture, level_chart};
+use plot::{Axis, LevelClasses, LevelPanel, Look, Picture, level_chart};
 use sim::Trajectory;
 
 /// Simulations that are drawn, each with two panels.
@@ -96,5 +96,6 @@ fn panel(title: String, unit: &str, motion: &Trajectory, found: Spectrogram) -> 
         ],
         levels: found.amplitudes,
         scale: format!("Amplitude ({unit})"),
+        classes: LevelClasses::Factors,
     }
 }

@@ -60,6 +60,7 @@ impl Content {
         let empty = || Content {
             counted: match combinations {
                 None => Counted::Parts(Fractions::new(extent)),
+                Some(_) if extent.has_starts => Counted::Parts(Fractions::new(extent)),
                 Some(_) => Counted::of_cases(extent, count),
             },
             ..Content::default()

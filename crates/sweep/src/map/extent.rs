@@ -43,6 +43,9 @@ pub struct Extent {
     combinations: Option<Vec<Vec<f64>>>,
     /// Least and greatest value along each further axis.
     pub other_ranges: Vec<[f64; 2]>,
+    /// Whether cases at one place differ in starts by chance: of these the fraction with a regime says
+    /// how sure a label is.
+    pub has_starts: bool,
 }
 
 impl Extent {
@@ -50,6 +53,12 @@ impl Extent {
     pub fn is_grid(&self) -> bool {
         let [x, y] = [&self.values[0], &self.values[1]].map(Vec::len);
         x.max(y) < MOST_DISTINCT && x * y <= self.cases
+    }
+
+    /// The same whose cases differ in starts by chance, if so.
+    pub fn with_starts(mut self, has_starts: bool) -> Self {
+        self.has_starts = has_starts;
+        self
     }
 
     /// The combinations of values of the other axes that have a map each; none of
@@ -108,6 +117,7 @@ impl Extent {
             values,
             combinations: (combinations.len() <= MOST_COMBINATIONS).then_some(combinations),
             other_ranges: ranges.split_off(axes.len()),
+            has_starts: false,
         })
     }
 }
@@ -127,6 +137,7 @@ impl Extent {
             values: values.map(<[f64]>::to_vec),
             combinations: Some(vec![Vec::new()]),
             other_ranges: Vec::new(),
+            has_starts: false,
         }
     }
 }

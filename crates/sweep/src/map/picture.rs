@@ -44,7 +44,9 @@ pub fn drawing(tables: &ResultTables) -> Result<Option<MapDrawing>> {
     };
     let (axes, units) = ([settings.x, settings.y], manifest.sweep.units);
     let others = manifest.axes.iter().copied();
-    let others = others.filter(|axis| !axes.contains(axis)).collect();
+    // Starts by chance lie on top of one another: how many of them, is how sure a label is.
+    let others = others.filter(|axis| !axes.contains(axis) && *axis != Axis::StartNumber);
+    let others = others.collect();
     let labels = tables.folder.join("labels.csv");
     let design = manifest.traced_design();
     let traced = match &design {
@@ -53,7 +55,8 @@ pub fn drawing(tables: &ResultTables) -> Result<Option<MapDrawing>> {
     };
     let map = Map {
         manifest,
-        extent: Extent::of(&labels, axes, others, &manifest.sweep)?,
+        extent: Extent::of(&labels, axes, others, &manifest.sweep)?
+            .with_starts(manifest.axes.contains(&Axis::StartNumber)),
         labels,
         traced,
         curves: curves(tables)?,
@@ -203,6 +206,11 @@ impl Map<'_> {
         let others = self.extent.others.iter();
         let ranges = others.zip(&self.extent.other_ranges);
         let over = ranges.map(|(&axis, &range)| words::range(axis, range, self.extent.units));
+        let starts = self
+            .extent
+            .has_starts
+            .then(|| "starts by chance".to_owned());
+        let over = over.chain(starts);
         is_of_parts.then(|| words::scale(motion, self.manifest, self.extent.cases, over))
     }
 

@@ -5,8 +5,9 @@ use super::contour::contour;
 use super::mesh::Mesh;
 use super::shown::show_in;
 use super::words;
-use campaign::quantities::Units;
+use campaign::quantities::{RATE, Units};
 use campaign::words::short;
+use plot::colours::BLUE;
 use plot::{
     self, Band, CellFill, LineStyle, Look, MapChart, MapGroup, MapPanel, Mark, Picture, Safety,
     Series, map_chart,
@@ -19,7 +20,10 @@ const LEAST_SHARE: f64 = 0.005;
 /// The part of the weights at which the names of ranges of speed stand.
 const NAMES_AT: f64 = 0.12;
 
-/// What they are called.
+/// About how many lines of equal rates of penetration there are.
+const RATE_LINES: f64 = 8.0;
+
+/// What regions are called.
 const NAMES: [&str; 6] = ["A", "B", "C", "D", "E", "F"];
 
 /// What is drawn.
@@ -44,16 +48,15 @@ pub struct WindowView<'a> {
 pub fn window_picture(of: &WindowView) -> Picture {
     let chart = of.chart;
     let mesh = Mesh::between(chart.edges.clone());
+    let rates = rate_lines(chart, of.units);
     let best = of.best.iter().map(|best| Mark {
         name: format!("best: {}", of.place(best.at)),
         at: (best.at[0], best.at[1]),
     });
     let panel = MapPanel {
         cells: mesh.joined(|cell| Some(fill(chart.standing(cell)))),
-        lines: chart
-            .limits
-            .iter()
-            .filter_map(|it| line(chart, it))
+        lines: (chart.limits.iter().filter_map(|it| line(chart, it)))
+            .chain(rates.iter().map(|rate| rate.series(of.units)))
             .collect(),
         bands: chart
             .limits
@@ -63,6 +66,7 @@ pub fn window_picture(of: &WindowView) -> Picture {
         names: (of.named_regions())
             .map(|(name, region)| of.name_of(name, region))
             .chain(chart.limits.iter().flat_map(|it| names_of_bands(chart, it)))
+            .chain(rates.iter().filter_map(RateLine::name))
             .collect(),
         ..MapPanel::default()
     };
@@ -158,6 +162,11 @@ fn edge(chart: &Chart, limit: &Limit) -> Vec<Vec<[f64; 2]>> {
         Standing::Against | Standing::Undetermined => Some(1.0),
     };
     let values: Vec<Option<f64>> = limit.standings.iter().map(against).collect();
+    lines_at(chart, &values, 0.75)
+}
+
+/// Lines at which a value of cells has a level, by weights and speeds.
+fn lines_at(chart: &Chart, values: &[Option<f64>], level: f64) -> Vec<Vec<[f64; 2]>> {
     let middle = |axis: usize, place: f64| {
         let edges = &chart.edges[axis];
         let middle = |cell: usize| 0.5 * (edges[cell] + edges[cell + 1]);
@@ -165,7 +174,7 @@ fn edge(chart: &Chart, limit: &Limit) -> Vec<Vec<[f64; 2]>> {
         let above = (below + 1).min(edges.len() - 2);
         middle(below) + (place - below as f64) * (middle(above) - middle(below))
     };
-    let lines = contour(chart.size(), &values, 0.75).into_iter();
+    let lines = contour(chart.size(), values, level).into_iter();
     let lines = lines.map(|line| {
         let points = line.into_iter();
         points
@@ -173,6 +182,67 @@ fn edge(chart: &Chart, limit: &Limit) -> Vec<Vec<[f64; 2]>> {
             .collect()
     });
     lines.collect()
+}
+
+/// Where the rate of penetration has a level.
+struct RateLine {
+    /// In the unit in which it is shown.
+    level: f64,
+    lines: Vec<Vec<[f64; 2]>>,
+}
+
+/// Lines of equal rates at round numbers.
+fn rate_lines(chart: &Chart, units: Units) -> Vec<RateLine> {
+    let unit = units.of(&RATE);
+    let rates: Vec<Option<f64>> = (chart.rates.iter())
+        .map(|rate| rate.map(|rate| unit.number(rate)))
+        .collect();
+    let most = rates.iter().flatten().copied().fold(0.0, f64::max);
+    round_levels(most)
+        .into_iter()
+        .map(|level| RateLine {
+            lines: lines_at(chart, &rates, level),
+            level,
+        })
+        .collect()
+}
+
+/// About as many levels as a map has room for, up to the greatest value.
+fn round_levels(most: f64) -> Vec<f64> {
+    if most <= 0.0 {
+        return Vec::new();
+    }
+    let raw = most / RATE_LINES;
+    let decade = 10f64.powf(raw.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * decade);
+    let step = step.into_iter().find(|step| *step >= raw).unwrap_or(raw);
+    let count = (most / step) as usize;
+    (1..=count).map(|level| level as f64 * step).collect()
+}
+
+impl RateLine {
+    fn series(&self, units: Units) -> Series {
+        let gap = [(f64::NAN, f64::NAN)];
+        let points = self.lines.iter().flat_map(|line| {
+            let points = line.iter().map(|&[weight, speed]| (weight, speed));
+            points.chain(gap)
+        });
+        Series {
+            name: format!("rate of penetration ({})", units.of(&RATE).name),
+            style: LineStyle::coloured(BLUE),
+            points: points.collect(),
+        }
+    }
+
+    /// The level on its longest line.
+    fn name(&self) -> Option<Mark> {
+        let longest = self.lines.iter().max_by_key(|line| line.len())?;
+        let [weight, speed] = longest[longest.len() / 2];
+        Some(Mark {
+            name: short(self.level),
+            at: (weight, speed),
+        })
+    }
 }
 
 /// Ranges of speed within the map, with their names.
@@ -268,9 +338,13 @@ impl WindowView<'_> {
         };
         let place = self.place(best.at);
         let (asked, own) = (percent(self.clearance), percent(best.clearance));
+        let greatest = match self.chart.rates.is_empty() {
+            true => "greatest weight × speed",
+            false => "greatest rate of penetration",
+        };
         let rule = if best.is_as_asked {
             format!(
-                "greatest weight × speed of the points that stay safe when both are off by {asked} \
+                "{greatest} of the points that stay safe when both are off by {asked} \
                  of their axes"
             )
         } else {
@@ -288,7 +362,12 @@ impl WindowView<'_> {
              further"
                 .to_owned()
         });
-        let point = format!("best point: {place} ({rule}{whirl})");
+        let drills = best
+            .rate_of_penetration_m_h
+            .map_or_else(String::new, |rate| {
+                format!(", {}", self.units.of(&RATE).text(rate, 1))
+            });
+        let point = format!("best point: {place}{drills} ({rule}{whirl})");
         [point, self.room(best)].into_iter().chain(at_end).collect()
     }
 

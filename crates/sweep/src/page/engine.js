@@ -16,10 +16,12 @@
 //       own. set: {axis: value}, as --set. method: its name; by default the first of the sweep.
 //       full: as --full. quick: a linear system that is there may serve though it was built for
 //       a longer time; histories then differ in their last digits.
-//       Gives { row, columns, time, speed, torque, positions, milliseconds }:
+//       Gives { row, columns, time, speed, torque, cut, positions, milliseconds }:
 //         row        the row of labels.csv, {column: number, text or null}
 //         columns    {name: Float64Array}, those of history.csv
 //         time       s;  speed  of the bit, rpm, or undefined;  torque  on it, N m, or undefined
+//         cut        { weight, depth, drilled } of a bit that cuts: on it, kN, of a blade's cut and of
+//                    the bit, mm; or undefined
 //         positions  [{ site, x, y }], mm, from the surface down; empty without a wall
 //   const limit = await engine.limit({ of, axis, values });
 //       Eq. 74 at values of `torque_dynamic_nm` or `weight_on_bit_kn`; of: a case, as above.
@@ -141,6 +143,11 @@ async function startEngine(gzippedInBase64) {
         time: columns.time_s,
         speed: columns.bit_speed_rpm,
         torque: columns.torque_on_bit_nm,
+        cut: columns.weight_on_bit_kn && {
+          weight: columns.weight_on_bit_kn,
+          depth: columns.depth_of_cut_mm,
+          drilled: columns.bit_depth_mm,
+        },
         positions: sites.map((name) => {
           const site = name.slice(0, -"_x_mm".length);
           return { site, x: columns[name], y: columns[`${site}_y_mm`] };

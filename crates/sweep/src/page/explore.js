@@ -112,10 +112,11 @@ const limitAt = (curves, at) => {
   return least;
 };
 
-/** What may last on the side of the limit that has it, and what is on the other: of stick-slip below, of whirl above. */
+/** What may last on the side of the limit that has it, and what is on the other: of stick-slip below, of whirl above. Of a bit that cuts no limit is drawn: cases alone tell. */
 const SIDES = {
-  stick_slip: { isBelow: true, with: "stick-slip can last", without: "smooth rotation" },
-  whirl: { isBelow: false, with: "whirl can last, once begun", without: "no steady whirl" },
+  drilling: { title: "Where the case is" },
+  stick_slip: { title: "Limit of stick-slip (Eq. 74)", isBelow: true, with: "stick-slip can last", without: "smooth rotation" },
+  whirl: { title: "Limit of whirl", isBelow: false, with: "whirl can last, once begun", without: "no steady whirl" },
 };
 
 /** The area on the side of the least limit that has vibration, piece by piece where there is a limit. */
@@ -157,13 +158,12 @@ const sideNames = (curves, ends, { isBelow, ...side }) => {
 function showMap(lines) {
   const axes = data.map.axes.map(control);
   // Friction from nothing on: limits may lie below what its slider has.
-  if (data.map.lines) axes[1] = { ...axes[1], least: 0 };
+  if (data.map.of === "whirl") axes[1] = { ...axes[1], least: 0 };
   const ends = axes.map(({ least, most }) => [least, most > least ? most : least + 1]);
   const along = (piece, at) => piece.map((point) => point[at] / axes[at].size);
   const curves = lines.flatMap(({ pieces }, at) =>
     pieces.map((piece) => ({ x: along(piece, 0), y: along(piece, 1), look: LOOKS[at][0] })));
-  const side = data.map.lines ? SIDES.whirl : SIDES.stick_slip;
-  const title = data.map.lines ? "Limit of whirl" : "Limit of stick-slip (Eq. 74)";
+  const { title, ...side } = SIDES[data.map.of];
   const words = axes.map((axis) => axis.title);
   const here = axes.map(({ axis }) => values[axis]);
   const names = sideNames(curves, ends, side);
@@ -191,11 +191,12 @@ function showSide(limit, [at, value], axes, side) {
 const number = (value) => (typeof value === "number" ? String(Number(value.toPrecision(4))) : String(value).replace(/_/g, " "));
 
 /** The charts of a motion: of orbits that of the site nearest to the bit. */
-function charts({ time, speed, torque, positions }) {
+function charts({ time, speed, torque, cut, positions }) {
   const found = [];
   if (speed) found.push(overTime("Speed of the bit", time, speed, { unit: "Bit speed (rpm)", size: 1 }, 0));
   const { unit, size } = data.torque;
   if (torque) found.push(overTime("Torque on the bit", time, torque, { unit: `Torque (${unit})`, size: 1e3 * size }, 0));
+  if (cut) found.push(...ofCutting(time, cut, data));
   if (positions.length > 0) {
     const last = positions.length - 1;
     const title = `Orbit of ${data.sites.at(-1)}; heavy: the last ${CLOSING} s; dashed: the wall`;
@@ -211,19 +212,19 @@ const rowCells = (name, value) => {
 };
 
 function show(answer, lines, method, isQuick) {
-  const { row, time, speed, torque, positions, milliseconds } = answer;
+  const { row, time, speed, torque, cut, positions, milliseconds } = answer;
   byId("status").textContent = isQuick && method !== data.method
     ? `By ${method} while you drag; by ${data.method} when you let go. ${Math.round(milliseconds)} ms.`
     : `By ${method}, as sweep simulate has it. ${Math.round(milliseconds)} ms.`;
   if (data.slow && method !== data.slow) byId("status").textContent += SLOW;
-  byId("regime").textContent = [row.torsion, row.lateral].filter((label) => label).map(number).join(", ");
+  byId("regime").textContent = [row.torsion, row.axial, row.lateral].filter((label) => label).map(number).join(", ");
   byId("row").replaceChildren();
   for (const [name, value] of Object.entries(row)) {
-    if (value === null || ["case", "method", "torsion", "lateral"].includes(name) || name in values) continue;
+    if (value === null || ["case", "method", "torsion", "axial", "lateral"].includes(name) || name in values) continue;
     const line = byId("row").insertRow();
     for (const text of rowCells(name, value)) line.insertCell().append(...indexed(text));
   }
-  const all = charts({ time, speed, torque, positions });
+  const all = charts({ time, speed, torque, cut, positions });
   // What the label is about leads.
   const lead = row.torsion ? all.shift() : all.pop();
   const others = all;

@@ -7,6 +7,7 @@
 //       a wall around the origin; here: a place [x, y] with a dot; sides: areas, each as its
 //       corners { x, y }; names: words at places, [{ text, at: [x, y] }].
 //   overTime(title, time, values, { unit, size }, also)         a quantity over time, s
+//   ofCutting(time, { weight, depth, drilled }, { force, width })   how a bit cuts, over time
 //   orbit(title, { x, y }, { unit, size }, clearance, closing)  an orbit in its hole, heavy from
 //       the step `closing` on
 //   placeIn(element, ends, event)                               the values under a pointer
@@ -144,6 +145,15 @@ const overTime = (title, time, values, { unit, size }, also) => {
   const lines = [{ x: time, y, look: "curve" }];
   const ends = [[time[0], time.at(-1)], endsOf(y, also)];
   return chart({ title, words: ["Time (s)", unit], ends, lines, shape: 3 });
+};
+
+const ofCutting = (time, { weight, depth, drilled }, { force, width }) => {
+  const units = (words, { unit, size }) => ({ unit: `${words} (${unit})`, size });
+  return [
+    overTime("Weight on bit", time, weight, units("Weight", force), 0),
+    overTime("Depth of cut of a blade; below zero off bottom", time, depth, units("Depth", width), 0),
+    overTime("Depth of the bit", time, drilled, units("Depth", width), 0),
+  ];
 };
 
 const orbit = (title, path, { unit, size }, clearance, closing) => {

@@ -39,6 +39,29 @@ struct Trial {
     advance: Advance,
 }
 
+impl Trial {
+    /// What the bit then does, from where it stands.
+    fn step(self, place: &BitPlace, axial: &AxialLine) -> CutStep {
+        let Advance {
+            rate,
+            weight,
+            depth_of_cut,
+            touches,
+            ..
+        } = self.advance;
+        CutStep {
+            speed: self.speed,
+            rate,
+            torque: self.torque,
+            weight,
+            depth_of_cut,
+            touches,
+            angle: place.angle + axial.within * self.speed,
+            depth: place.depth + axial.within * rate,
+        }
+    }
+}
+
 impl CuttingForces {
     /// Meets both load lines of a step.
     pub(crate) fn meet(
@@ -49,6 +72,12 @@ impl CuttingForces {
         axial: &AxialLine,
     ) -> CutStep {
         let at = |speed: f64| self.try_speed(speed, place, face, line, axial);
+        let in_step = |trial: Trial| trial.step(place, axial);
+        let stuck = |held: Trial| CutStep {
+            speed: 0.0,
+            torque: line.free_speed / line.compliance,
+            ..in_step(held)
+        };
         let held = at(0.0);
         // Where flats land all at once, or a blade meets the ledge at the end of its own cut, torque
         // jumps: what it is follows from the load line.
@@ -60,17 +89,17 @@ impl CuttingForces {
             };
             CutStep {
                 torque,
-                ..self.step(trial)
+                ..in_step(trial)
             }
         };
         if line.free_speed <= 0.0 {
             // Rock keeps a bit from turning back; in the air it does.
             return match held.advance.touches {
-                true => self.stuck(line, held),
+                true => stuck(held),
                 false => CutStep {
                     speed: line.free_speed,
                     torque: 0.0,
-                    ..self.step(at(line.free_speed))
+                    ..in_step(at(line.free_speed))
                 },
             };
         }
@@ -81,7 +110,7 @@ impl CuttingForces {
             }
         }
         if held.residual <= 0.0 {
-            return self.stuck(line, held);
+            return stuck(held);
         }
         let guess = place.speed.clamp(0.0, line.free_speed);
         step(solve(held, line.free_speed, guess, at))
@@ -121,32 +150,6 @@ impl CuttingForces {
             above = trial.speed;
         }
         None
-    }
-
-    fn stuck(&self, line: LoadLine, held: Trial) -> CutStep {
-        CutStep {
-            speed: 0.0,
-            torque: line.free_speed / line.compliance,
-            ..self.step(held)
-        }
-    }
-
-    fn step(&self, trial: Trial) -> CutStep {
-        let Advance {
-            rate,
-            weight,
-            depth_of_cut,
-            touches,
-            ..
-        } = trial.advance;
-        CutStep {
-            speed: trial.speed,
-            rate,
-            torque: trial.torque,
-            weight,
-            depth_of_cut,
-            touches,
-        }
     }
 
     fn try_speed(

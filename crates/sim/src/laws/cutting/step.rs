@@ -29,4 +29,16 @@ pub struct CutStep {
     pub depth_of_cut: f64,
     /// Whether any blade touches rock.
     pub touches: bool,
+    /// φ where the law is met, rad.
+    pub angle: f64,
+    /// U there, m.
+    pub depth: f64,
+}
+
+impl CutStep {
+    /// How deep the rock is that the blades leave behind, m, the mean of all: the deeper of where they
+    /// are and what they found.
+    pub fn rock_left(&self) -> f64 {
+        self.depth + (-self.depth_of_cut).max(0.0)
+    }
 }

@@ -10,9 +10,9 @@ use crate::cli::FilmArguments;
 use crate::commands::drawing::Drawing;
 use crate::commands::folder::make_folder;
 use crate::histories::{
-    case_csv, case_lines, contact_picture, contacts_csv, film_csv, film_picture, history_csv,
-    history_picture, orbit_picture, phase_picture, spectra_picture, string_csv, string_picture,
-    whole_strings,
+    case_csv, case_lines, contact_picture, contacts_csv, cut_picture, film_csv, film_picture,
+    history_csv, history_picture, orbit_picture, phase_picture, spectra_picture, string_csv,
+    string_picture, surface_picture, whole_strings,
 };
 use campaign::follow::Followed;
 use plot::Picture;
@@ -52,7 +52,7 @@ impl Written<'_> {
         let look = &self.drawing.look;
         let history = history_picture(look, sweep, cases, simulations);
         self.picture("history", &history)?;
-        let has_torsion = self.torsional()?;
+        let drawn = self.drawn_where_there()?;
         if lateral.is_some() {
             self.lateral(&wholes)?;
         }
@@ -62,7 +62,7 @@ impl Written<'_> {
             self.picture("film", &film)?;
             self.table("film.csv", &film_csv(&simulations[0], &wholes[0], &steps)?)?;
         }
-        let files = self.files(lateral.is_some(), has_torsion, !steps.is_empty());
+        let files = self.files(lateral.is_some(), &drawn, !steps.is_empty());
         // All cases have the same.
         let found = rows.first().and_then(|row| row.found.as_ref());
         let written = (files.as_str(), self.folder);
@@ -70,18 +70,12 @@ impl Written<'_> {
     }
 
     /// The files that were written, in words.
-    fn files(&self, is_lateral: bool, has_torsion: [bool; 2], has_film: bool) -> String {
-        let [has_phase, has_spectrum] = has_torsion;
-        let pictures = [
-            ("history", true),
-            ("phase", has_phase),
-            ("spectrum", has_spectrum),
-            ("orbit", is_lateral),
-            ("string", is_lateral),
-            ("contacts", is_lateral),
-        ];
-        let pictures = pictures.into_iter().filter(|(_, is_there)| *is_there);
-        let pictures: Vec<&str> = pictures.map(|(name, _)| name).collect();
+    fn files(&self, is_lateral: bool, drawn: &[&'static str], has_film: bool) -> String {
+        let of_walls: &[&str] = match is_lateral {
+            true => &["orbit", "string", "contacts"],
+            false => &[],
+        };
+        let pictures = [&["history"], drawn, of_walls].concat();
         let film = match has_film {
             false => String::new(),
             true => format!(", film (of {})", self.followed.simulations[0].name),
@@ -102,8 +96,8 @@ impl Written<'_> {
         )
     }
 
-    /// What there is of torsional motion alone: whether its phases and its spectrum were drawn.
-    fn torsional(&self) -> Result<[bool; 2]> {
+    /// Pictures of torsional motion and of a bit that cuts: the names of those that were drawn.
+    fn drawn_where_there(&self) -> Result<Vec<&'static str>> {
         let Followed {
             sweep,
             cases,
@@ -115,13 +109,17 @@ impl Written<'_> {
         let pictures = [
             ("phase", phase_picture(&own, sweep, cases, simulations)),
             ("spectrum", spectra_picture(&over_time, sweep, simulations)),
+            ("cut", cut_picture(&own, sweep, simulations)),
+            ("surface", surface_picture(&own, sweep, cases, simulations)),
         ];
-        for (name, picture) in &pictures {
+        let mut drawn = Vec::new();
+        for (name, picture) in pictures {
             if let Some(picture) = picture {
-                self.picture(name, picture)?;
+                self.picture(name, &picture)?;
+                drawn.push(name);
             }
         }
-        Ok(pictures.map(|(_, picture)| picture.is_some()))
+        Ok(drawn)
     }
 
     fn table(&self, name: &str, content: &[u8]) -> Result<()> {

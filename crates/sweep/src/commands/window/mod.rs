@@ -44,12 +44,17 @@ pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status>
         margin: arguments.margin,
         risk: arguments.risk,
         bins: usize::from(arguments.bins),
+        accept_chatter: arguments.accept_chatter,
     };
     let found = OperatingWindow::of(&sweep, &all, &asked).map_err(in_words)?;
     let OperatingWindow {
         chart,
         not_examined,
     } = found;
+    if arguments.accept_chatter && sweep.setting.cutting.is_none() {
+        let message = "--accept-chatter: no bit of this sweep cuts, and so none chatters";
+        return Err(UsageError(message.to_owned()).into());
+    }
     let view = WindowView {
         title: title(&sweep, &all),
         units: sweep.content.units,

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::opening::opening;
 use crate::map::MapDrawing;
-use campaign::quantities::{Axis, LENGTH, TORQUE, Unit, Units, WIDTH};
+use campaign::quantities::{Axis, FORCE, LENGTH, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
 use campaign::words::file_word;
 use plot::{MapAxis, map_axes};
@@ -52,6 +52,7 @@ pub fn data(tables: &ResultTables, drawing: &MapDrawing, room: usize) -> Result<
         "full": manifest.options.full,
         "shown": {
             "torque": shown(&units.of(&TORQUE)),
+            "force": shown(&units.of(&FORCE)),
             "width": shown(&units.of(&WIDTH)),
             "length": shown(&units.of(&LENGTH)),
         },

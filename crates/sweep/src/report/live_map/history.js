@@ -41,11 +41,12 @@ class PageEngine {
 
 const engine = new PageEngine(document.getElementById("engine"));
 
-/** The charts of a motion: bit speed, torque on bit and, with a wall, the orbit of the site that decides. */
-const charts = (cases, { row, time, speed, torque, positions, description }) => {
+/** The charts of a motion: bit speed, torque on bit, how it cuts and, with a wall, the orbit of the site that decides. */
+const charts = (cases, { row, time, speed, torque, cut, positions, description }) => {
   const found = [];
   if (speed) found.push(overTime("Bit speed", time, speed, { unit: "rpm", size: 1 }));
   if (torque) found.push(overTime("Torque on bit", time, torque, cases.shown.torque));
+  if (cut) found.push(...ofCutting(time, cut, cases.shown));
   const from = row.site_from_bit_m ?? 0;
   const { unit, size } = cases.shown.length;
   const site = from === 0 ? "bit" : `${from}m_above_bit`;

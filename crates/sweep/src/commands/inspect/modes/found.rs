@@ -1,9 +1,9 @@
-//! The modes of a string, in torsion and, where that is modelled, in bending.
+//! The modes of a string, in torsion and, where that is modelled, along its axis and in bending.
 
 use std::f64::consts::TAU;
 
 use anyhow::Result;
-use linear::modes::damped_modes;
+use linear::modes::{TorsionalMode, damped_modes, damped_modes_below_drive};
 use linear::natural_frequencies::{NaturalFrequencies, Shape};
 use linear::{BuildError, Sites, SurfaceSupport};
 use serde::ser::SerializeMap;
@@ -27,6 +27,8 @@ const MOST_PIECES: f64 = 3e8;
 pub enum ModeFamily {
     /// The string in torsion.
     Torsion,
+    /// The string along its axis, its upper end held or, with this mass (kg), free.
+    Axial(Option<f64>),
     /// The string in bending below the uppermost of the places (m from the bit, from there down)
     /// that hold it.
     BetweenHeld(Vec<f64>),
@@ -39,6 +41,7 @@ impl ModeFamily {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Torsion => "torsion",
+            Self::Axial(_) => "axial",
             Self::BetweenHeld(_) => "bending_between_sites",
             Self::Bending(_) => "bending",
         }
@@ -48,6 +51,7 @@ impl ModeFamily {
     pub fn words(&self) -> &'static str {
         match self {
             Self::Torsion => "torsion",
+            Self::Axial(_) => "along the axis",
             Self::BetweenHeld(_) => "bending between the sites",
             Self::Bending(_) => "bending of the whole string",
         }
@@ -57,6 +61,7 @@ impl ModeFamily {
     pub fn short_words(&self) -> &'static str {
         match self {
             Self::Torsion => "torsion",
+            Self::Axial(_) => "along the axis",
             Self::BetweenHeld(_) => "between the sites",
             Self::Bending(_) => "whole string",
         }
@@ -65,7 +70,8 @@ impl ModeFamily {
     /// Rigid-body modes of a rod, unless the string is pulled.
     fn as_rigid_rod(&self) -> usize {
         match self {
-            Self::Torsion | Self::Bending(SurfaceSupport::Clamped) => 0,
+            Self::Torsion | Self::Axial(None) | Self::Bending(SurfaceSupport::Clamped) => 0,
+            Self::Axial(Some(_)) => 1,
             Self::BetweenHeld(places) => usize::from(places.len() == 1),
             Self::Bending(SurfaceSupport::Pinned) => 1,
             Self::Bending(SurfaceSupport::Free) => 2,
@@ -99,13 +105,30 @@ pub struct Modes {
     pub shapes: Vec<Shape>,
 }
 
+/// The modes with damping of natural frequencies without it (rad/s).
+type Damped<'a> = &'a dyn Fn(&[f64]) -> Result<Vec<Option<TorsionalMode>>, BuildError>;
+
+impl Modes {
+    /// Adds what is known of their damping.
+    fn damp(&mut self, damped: Damped) -> Result<()> {
+        let frequencies: Vec<f64> = self.frequencies.iter().map(|it| TAU * it).collect();
+        let modes = damped(&frequencies)?.into_iter();
+        self.damping = modes
+            .map(|mode| mode.map(|mode| mode.damping_ratio()))
+            .collect();
+        Ok(())
+    }
+}
+
 /// By its name, with the places that hold the string, where it is held.
 impl Serialize for ModeFamily {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("motion", self.name())?;
-        if let Self::BetweenHeld(places) = self {
-            map.serialize_entry("held_from_bit_m", places)?;
+        match self {
+            Self::BetweenHeld(places) => map.serialize_entry("held_from_bit_m", places)?,
+            Self::Axial(Some(mass)) => map.serialize_entry("hanging_mass_kg", mass)?,
+            _ => {}
         }
         map.end()
     }
@@ -119,11 +142,14 @@ pub fn find(sweep: &Sweep, count: usize, excitation: &Excitation) -> Result<Vec<
     let setting = &sweep.setting;
     let torsion = NaturalFrequencies::torsion(&setting.string)?;
     let mut found = vec![modes(ModeFamily::Torsion, &torsion, count, excitation)?];
-    let frequencies: Vec<f64> = found[0].frequencies.iter().map(|it| TAU * it).collect();
-    let damped = damped_modes(&setting.string, &frequencies)?.into_iter();
-    found[0].damping = damped
-        .map(|mode| mode.map(|mode| mode.damping_ratio()))
-        .collect();
+    found[0].damp(&|frequencies| damped_modes(&setting.string, frequencies))?;
+    if let Some(cutting) = &setting.cutting {
+        let rod = &cutting.rod;
+        let of = ModeFamily::Axial(rod.top_drive().map(|hoist| hoist.inertia));
+        let mut axial = modes(of, &NaturalFrequencies::axial(rod)?, count, excitation)?;
+        axial.damp(&|frequencies| damped_modes_below_drive(rod, frequencies))?;
+        found.push(axial);
+    }
     if let Some(lateral) = &setting.lateral {
         let (string, bending) = (&setting.string, &lateral.bending);
         let places = lateral.held_places(&setting.sites);

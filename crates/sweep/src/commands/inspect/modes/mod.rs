@@ -1,6 +1,7 @@
-//! `--modes`: natural frequencies, the surface speeds at which a multiple meets one, and mode
-//! shapes.
+//! `--modes`: natural frequencies, the surface speeds at which a multiple meets one, mode shapes, and
+//! of a bit that cuts how many ways of vibration grow about steady drilling.
 
+mod drilling;
 mod found;
 mod pictures;
 mod resonances;
@@ -16,6 +17,7 @@ use serde::Serialize;
 use crate::commands::drawing::Drawing;
 use campaign::plan::Sweep;
 use campaign::quantities::Units;
+use drilling::InspectedDrilling;
 use found::{Modes, find};
 use pictures::{campbell_picture, shape_picture};
 use resonances::{InspectedResonances, Resonances};
@@ -31,6 +33,7 @@ pub struct InspectedModes {
     families: Vec<Modes>,
     critical_speeds: Vec<CriticalSpeed>,
     bit_resonances: InspectedResonances,
+    steady_drilling: InspectedDrilling,
     /// How many of each family are described in full.
     #[serde(skip)]
     count: usize,
@@ -65,10 +68,13 @@ impl InspectedModes {
             drawing.save(folder, "bit_resonances", &picture)?;
             pictures.push("bit_resonances");
         }
+        let drilling = InspectedDrilling::find(sweep)?;
+        drilling.write(folder)?;
         let shown = |name| folder.join(drawing.shown(name)).display().to_string();
         Ok(Self {
             critical_speeds: critical(&families, &excitation),
             bit_resonances: resonances.most_easily_fed(),
+            steady_drilling: drilling,
             excitation,
             families,
             count,
@@ -80,6 +86,7 @@ impl InspectedModes {
     pub fn words(&self, units: Units) -> String {
         let mut text = words::describe(&self.families, &self.excitation, self.count, units);
         text += &self.bit_resonances.words(units);
+        text += &self.steady_drilling.words(units);
         let pictures = self.pictures.iter();
         text.extend(pictures.map(|path| format!("  picture: {path}\n")));
         text

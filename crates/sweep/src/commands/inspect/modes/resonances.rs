@@ -34,9 +34,11 @@ impl Resonances {
     /// # Errors
     /// Where the string cannot be cut up.
     pub fn find(sweep: &Sweep) -> Result<Self> {
-        let all = match sweep.bit {
-            Some(_) => bit_resonances(sweep)?,
-            None => Vec::new(),
+        // A bit that cuts has no torque that falls with speed: roots of D(s) say what grows.
+        let falls = sweep.bit.is_some() && sweep.setting.cutting.is_none();
+        let all = match falls {
+            true => bit_resonances(sweep)?,
+            false => Vec::new(),
         };
         Ok(Self { all })
     }

@@ -45,6 +45,11 @@ fn held(of: &ModeFamily, units: Units) -> String {
     };
     match of {
         ModeFamily::Torsion => "surface held at its speed".to_owned(),
+        ModeFamily::Axial(None) => "surface held".to_owned(),
+        ModeFamily::Axial(Some(0.0)) => "hanging from its hoist, free to move".to_owned(),
+        ModeFamily::Axial(Some(mass)) => {
+            format!("hanging from its hoist, with {} kg", short(*mass))
+        }
         ModeFamily::Bending(of_surface) => support(*of_surface).to_owned(),
         ModeFamily::BetweenHeld(places) => {
             let length = units.of(&LENGTH);

@@ -1,4 +1,5 @@
-//! Torsional waves without damping, the surface held and the bit free.
+//! Waves without damping along a rod that twists or stretches, the bit free, the surface held or, of
+//! a string that hangs, free.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -7,7 +8,9 @@ use crate::drillstring::Drillstring;
 /// Natural frequencies below ω (rad/s): as many as places at rest on a string that swings so fast
 /// with its bit free. With k = ω √(ρ/G), a tube turns as cos(kx − ψ) at the height x above its
 /// lower end; these places are its J₀ + s(K), and a phase has no poles.
-pub fn below(string: &Drillstring, omega: f64) -> Option<usize> {
+///
+/// An upper end that is free to move with a mass m adds s(−E A k tan ψ − m ω²), the stiffness there.
+pub fn below(string: &Drillstring, hanging: Option<f64>, omega: f64) -> Option<usize> {
     let wavenumber = omega / string.torsional_wave_speed();
     let mut at_rest = 0.0;
     // The phase at the upper end of the tubes so far, within a quarter turn; and its tube's J.
@@ -24,7 +27,13 @@ pub fn below(string: &Drillstring, omega: f64) -> Option<usize> {
             moment = own;
         }
     }
-    at_rest.is_finite().then_some(at_rest as usize)
+    let is_free = hanging.is_some_and(|mass| {
+        let pulled = string.modulus() * moment * wavenumber * phase.tan();
+        pulled + mass * omega * omega > 0.0
+    });
+    at_rest
+        .is_finite()
+        .then_some(at_rest as usize + usize::from(is_free))
 }
 
 /// No natural frequency is below this, rad/s: that of a uniform string as slack and as heavy as
