@@ -3,7 +3,7 @@
 //!
 //! The bit turns faster than the string above it, ω = ω_s + r(T), T the torque that the motor
 //! passes on. By its chart, r falls from the speed without load by the slip per torque, up to the
-//! stall torque; there mud leaks by, and the rotor stops, r = 0, whatever torque is beyond. Within a
+//! stall torque; there mud leaks by, and the rotor stops, r = 0, at any torque beyond. Within a
 //! step, the string leaves ω_s = ω_h − A T, and the rotor, with all below it, obeys
 //! J ω̇ = T − T_b: each part of the chart is one more load line of the bit, and one of them is met.
 //!
