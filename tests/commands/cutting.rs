@@ -6,14 +6,14 @@ use std::process::Stdio;
 
 use crate::support::{CUTTING, SMALL, Workplace, with};
 
-fn done(place: &Workplace, arguments: &[&str]) -> String {
+pub fn done(place: &Workplace, arguments: &[&str]) -> String {
     let answer = place.sweep(arguments);
     assert_eq!(answer.code, 0, "{arguments:?}: {}", answer.errors);
     answer.output
 }
 
 /// Columns of a table by their names, row by row.
-fn columns<const COUNT: usize>(
+pub fn columns<const COUNT: usize>(
     place: &Workplace,
     file: &str,
     names: [&str; COUNT],

@@ -7,6 +7,7 @@ mod command_line;
 mod cutting;
 mod documents;
 mod export;
+mod motor;
 mod sensitivity;
 mod trace;
 mod window;

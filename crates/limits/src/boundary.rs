@@ -53,10 +53,8 @@ pub enum BoundaryError {
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, BoundaryError> {
-    // Every string and every law of the bit has its own limits.
     let axes = sweep.design.axes();
-    let has_motor = sweep.setting.motor.is_some();
-    if has_motor || sweep.design.varies_string() || axes.iter().any(|axis| axis.changes_bit()) {
+    if sweep.setting.motor.is_some() || !is_one_limit(sweep) {
         return Ok(Boundary::StickSlip(Vec::new()));
     }
     if let (Some(lateral), Some(_)) = (
@@ -81,6 +79,12 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
         }
         _ => Ok(Boundary::StickSlip(Vec::new())),
     }
+}
+
+/// Whether all cases have the same: every string and every law of the bit has its own.
+fn is_one_limit(sweep: &Sweep) -> bool {
+    let mut axes = sweep.design.axes().iter();
+    !sweep.design.varies_string() && !axes.any(|axis| axis.changes_bit())
 }
 
 /// Values from the least to the greatest of an axis.
@@ -167,9 +171,7 @@ fn smooth_rotation_points(sweep: &Sweep, bit: &Bit, position: usize) -> Vec<Stic
 /// # Errors
 /// Where a rock's table does not reach.
 pub fn exact_stick_slip_limit(sweep: &Sweep, weights: [f64; 2]) -> Result<Boundary, BoundaryError> {
-    let is_one = sweep.setting.motor.is_none()
-        && !sweep.design.varies_string()
-        && !sweep.design.axes().iter().any(|axis| axis.changes_bit());
+    let is_one = sweep.setting.has_stick_slip_limit() && is_one_limit(sweep);
     let undershoot = exact_undershoot(&sweep.setting.string).ok();
     let points = match (&sweep.bit, undershoot.filter(|_| is_one)) {
         (Some(bit), Some(undershoot)) => {

@@ -38,12 +38,14 @@ pub struct DrillingPoint {
 }
 
 /// Those of a sweep whose bit cuts, case by case or, of many, evenly among them; axes that change the
-/// string have the string of the file.
+/// string have the string of the file. None below a motor, through which the bit feels another string.
 ///
 /// # Errors
 /// Where the string cannot be cut up.
 pub fn drilling_points(sweep: &Sweep) -> Result<Vec<DrillingPoint>, DrillstringError> {
-    let (Some(settings), Some(bit)) = (&sweep.setting.cutting, &sweep.bit) else {
+    let (Some(settings), Some(bit), None) =
+        (&sweep.setting.cutting, &sweep.bit, sweep.setting.motor)
+    else {
         return Ok(Vec::new());
     };
     let cuts = Cuts {

@@ -31,7 +31,7 @@
 use linear::budget::{Budget, Need, OutOfBudget, REAL, What};
 use linear::{ChannelResponses, Responses, SteppedPlan};
 
-use crate::laws::cutting::{Face, MOST_PROFILES};
+use crate::laws::cutting::{CutStep, Face, MOST_PROFILES};
 use crate::line::pieces::{Pieces, Sums};
 use crate::line::{Bending, Torsion};
 use crate::shortcuts::BitAlone;
@@ -231,6 +231,7 @@ impl SimulatorPlan {
     /// Bytes of the motion of a case at a number of sites.
     pub fn recorded_bytes(&self, sites: usize) -> f64 {
         let is_lateral = self.bending.is_some() || matches!(self.line, Line::Mesh { .. });
-        Trajectory::bytes(sites, is_lateral, self.steps)
+        let cut = self.axial.map_or(0.0, |_| std::mem::size_of::<CutStep>() as f64);
+        Trajectory::bytes(sites, is_lateral, self.steps) + cut * self.steps
     }
 }

@@ -200,9 +200,10 @@ impl MethodSystem {
     }
 
     /// How far above the analytic limit of stick-slip (Eq. 74) the surface turns, rad/s: that
-    /// knows of no friction but the bit's.
+    /// knows of no friction but the bit's, and of no motor.
     fn above_limit(&self, scene: &Scene) -> Option<f64> {
-        let bit = scene.bit.filter(|_| self.setting.friction.is_none())?;
+        let knows = self.setting.friction.is_none() && self.setting.has_stick_slip_limit();
+        let bit = scene.bit.filter(|_| knows)?;
         let (torque_static, torque_dynamic) = (bit.torque_static, bit.torque_dynamic);
         let limit = stick_slip_speed_limit(self.undershoot?, torque_static, torque_dynamic);
         Some(scene.surface_speed - limit)

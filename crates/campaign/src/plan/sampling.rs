@@ -8,6 +8,8 @@ use linear::Drillstring;
 use linear::estimates::torsional_travel_time;
 use linear::sampling::{self, FEWEST_STEPS, Steps, frequency_for_growth};
 
+use sim::MudMotor;
+
 use super::bit::Cut;
 use super::impulses::ImpulseSettings;
 use super::lateral::LateralSettings;
@@ -48,6 +50,12 @@ pub(super) struct Needs<'a> {
     pub friction: Option<&'a StringFriction>,
     /// The number of blades of a bit that cuts what they leave.
     pub blades: Option<usize>,
+    pub motor: Option<MudMotor>,
+}
+
+/// The fastest that a bit turns in any case, but for vibration, rad/s.
+pub(super) fn fastest_bit(cut: &Cut, motor: Option<MudMotor>) -> f64 {
+    cut.fastest_surface() + motor.map_or(0.0, |motor| motor.speed)
 }
 
 /// The sampling frequency of a string, Hz; and its steps per travel time where it follows from
@@ -98,7 +106,7 @@ fn steps(string: &Drillstring, needs: &Needs) -> f64 {
         (None, None) => None,
     };
     let of_blades = needs.blades.zip(needs.cut.as_ref()).map(|(blades, cut)| {
-        let passing = blades as f64 * cut.fastest_surface() / std::f64::consts::TAU;
+        let passing = blades as f64 * fastest_bit(cut, needs.motor) / std::f64::consts::TAU;
         sampling::steps_at(string, WITH_BLADES.max(STEPS_OF_BLADE * passing))
     });
     let all = [of_wall, of_growth, of_fronts, of_blades]

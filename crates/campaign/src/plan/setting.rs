@@ -173,16 +173,19 @@ impl Setting {
             &sites,
         )?;
         let cutting = cutting::resolve(source, content, &string)?;
+        let motor = motor::resolve(source, content)?;
         let needs = sampling::Needs {
             cut: circumstances.cut(),
             lateral: lateral.as_ref(),
             friction: friction.as_ref(),
             blades: cutting.as_ref().map(|cutting| cutting.blades()),
+            motor,
         };
         let (sampling_frequency, steps_per_travel) =
             sampling::resolve(source, content, &string, &needs, counted)?;
         if let (Some(cutting), Some(cut)) = (&cutting, circumstances.cut()) {
-            cutting.check_sampling(source, cut.fastest_surface(), sampling_frequency)?;
+            let fastest = sampling::fastest_bit(&cut, motor);
+            cutting.check_sampling(source, fastest, sampling_frequency)?;
         }
         let setting = Self {
             string,
@@ -195,7 +198,7 @@ impl Setting {
             hanging,
             lateral,
             cutting,
-            motor: motor::resolve(source, content)?,
+            motor,
             changed: Vec::new(),
         };
         // For an accuracy another frequency is chosen.
@@ -203,6 +206,12 @@ impl Setting {
             setting.check_sampling(source, content.bit.is_some())?;
         }
         Ok(setting)
+    }
+
+    /// Whether Eq. 74 may say where the bit sticks: of one whose law gives its torque, and that turns
+    /// with the end of the string.
+    pub fn has_stick_slip_limit(&self) -> bool {
+        self.cutting.is_none() && self.motor.is_none()
     }
 
     /// Refuses a frequency at which nothing is felt of an impulse, or of a wave on its way; `cuts`
@@ -223,6 +232,7 @@ impl Setting {
             lateral: self.lateral.as_ref(),
             friction: self.friction.as_ref(),
             blades: self.cutting.as_ref().map(|cutting| cutting.blades()),
+            motor: self.motor,
         };
         sampling::by_rule(&self.string, &needs)
     }

@@ -125,8 +125,7 @@ fn of_curves(
 ) -> Result<Option<Source<'static>>, WindowError> {
     // Where smooth rotation is lost, stick-slip follows, which can last there anyway.
     curves.retain(|curve| curve.method.is_some());
-    // Of a bit that cuts no torque is given for it.
-    if sweep.setting.cutting.is_some() {
+    if !sweep.setting.has_stick_slip_limit() {
         return Ok(None);
     }
     // Where the string rubs along its well, that has a part in it.

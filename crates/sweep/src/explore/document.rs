@@ -152,7 +152,7 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
     let stick_slip = torque.zip(place(&[Axis::SurfaceSpeedRpm]));
     let cuts = sweep.setting.cutting.is_some();
     let has_limit = sweep.setting.lateral.is_none() && sweep.setting.friction.is_none();
-    let stick_slip = stick_slip.filter(|_| has_limit && !cuts);
+    let stick_slip = stick_slip.filter(|_| has_limit && sweep.setting.has_stick_slip_limit());
     let drilling = place(&[Axis::WeightOnBitKn, Axis::FeedMH]).zip(place(&[Axis::SurfaceSpeedRpm]));
     let drilling = drilling.filter(|_| cuts);
     // That of stick-slip is found in the page, for each string anew; of a bit that cuts it is a place to

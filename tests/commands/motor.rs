@@ -1,0 +1,72 @@
+//! A mud motor above the bit, from file to tables: with a bit under a law, with friction along the
+//! string, and with a bit that cuts.
+
+use super::cutting::{columns, done};
+use crate::support::{CUTTING, Workplace, small_with_design, with};
+
+/// 100 rpm without load, 2 rpm less for each kN m.
+const MOTOR: &str = "[motor]\nspeed_rpm = 100\nstall_torque_kn_m = 10\nspeed_at_stall_rpm = 80\n";
+
+const DESIGN: &str = "[design]\nkind = \"grid\"\n[design.axes]\n\
+                      surface_speed_rpm = { values = [60, 120] }\nweight_on_bit_kn = { values = [20, 40] }\n";
+
+fn number(text: &str) -> f64 {
+    text.parse().unwrap()
+}
+
+/// Speed of the motor under a torque (N m), rpm.
+fn relative_speed(torque: f64) -> f64 {
+    100.0 - 2e-3 * torque
+}
+
+/// Smooth rotation: by the chart faster than the surface, without friction along the string and with;
+/// and no limit of a bit that turns with its string is told.
+#[test]
+fn a_bit_below_a_motor_turns_by_its_chart() {
+    let friction = "[well]\nsurvey = \"survey.csv\"\n[string_friction]\nstatic_coefficient = 0.3\n\
+                    dynamic_ratio = 0.7\nstribeck_rpm = 5\n";
+    for more in ["", friction] {
+        let place = Workplace::with_small(&small_with_design(&format!("{MOTOR}{more}{DESIGN}")));
+        place.write("survey.csv", "md_m,inc_deg,azi_deg\n0,0,0\n200,40,0\n");
+        done(&place, &["run", "small.toml", "--out", "out"]);
+        let names = [
+            "surface_speed_rpm",
+            "torque_dynamic_nm",
+            "torsion",
+            "bit_speed_closing_rpm",
+            "stick_slip_margin_rpm",
+        ];
+        let rows = columns(&place, "out/labels.csv", names);
+        assert_eq!(rows.len(), 4);
+        for [surface, torque, label, bit, margin] in rows {
+            assert_eq!((label.as_str(), margin.as_str()), ("smooth", ""));
+            let expected = number(&surface) + relative_speed(number(&torque));
+            assert!((number(&bit) - expected).abs() < 0.05, "{bit} {expected}");
+        }
+        let boundary = std::fs::read_to_string(place.path("out/boundary.csv")).unwrap();
+        assert_eq!(boundary.lines().count(), 1, "{boundary}");
+    }
+}
+
+/// However it chatters, the bit is faster than the surface by the chart in the mean.
+#[test]
+fn a_bit_that_cuts_below_a_motor_turns_by_its_chart_in_the_mean() {
+    let place = Workplace::with_small(&with(CUTTING, "[design]\n", &format!("{MOTOR}[design]\n")));
+    done(
+        &place,
+        &["simulate", "small.toml", "--case", "3", "--out", "out"],
+    );
+    let names = ["bit_speed_rpm", "mud_motor_torque_nm"];
+    let rows = columns(&place, "out/history.csv", names);
+    let late: Vec<[f64; 2]> = (rows[rows.len() / 2..].iter())
+        .map(|[speed, torque]| [number(speed), number(torque)])
+        .collect();
+    let mean = |of: usize| late.iter().map(|row| row[of]).sum::<f64>() / late.len() as f64;
+    assert!(late.iter().all(|row| row[1] < 10e3), "it never stalls");
+    let expected = 100.0 + relative_speed(mean(1));
+    assert!(
+        (mean(0) / expected - 1.0).abs() < 5e-3,
+        "{} {expected}",
+        mean(0)
+    );
+}
