@@ -67,10 +67,7 @@ fn text_of_resolved(mut content: FileContent) -> Result<String> {
     if let Some(friction) = &mut content.string_friction {
         friction.tolerance = None;
     }
-    let cuts = content
-        .bit
-        .as_ref()
-        .is_some_and(|bit| bit.cutting.is_some());
+    let cuts = content.has_cutting();
     let mut table = toml::Table::try_from(&content).context(NO_TABLE)?;
     if let Some(bit) = table.get_mut("bit").and_then(toml::Value::as_table_mut) {
         // What a law of torque has by default, a bit that cuts may not give.

@@ -231,7 +231,9 @@ impl SimulatorPlan {
     /// Bytes of the motion of a case at a number of sites.
     pub fn recorded_bytes(&self, sites: usize) -> f64 {
         let is_lateral = self.bending.is_some() || matches!(self.line, Line::Mesh { .. });
-        let cut = self.axial.map_or(0.0, |_| std::mem::size_of::<CutStep>() as f64);
+        let cut = self
+            .axial
+            .map_or(0.0, |_| std::mem::size_of::<CutStep>() as f64);
         Trajectory::bytes(sites, is_lateral, self.steps) + cut * self.steps
     }
 }

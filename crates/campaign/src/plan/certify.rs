@@ -25,10 +25,7 @@ pub fn resolve(
          known: leave it out",
     )?;
     refuse(
-        content
-            .bit
-            .as_ref()
-            .is_some_and(|bit| bit.cutting.is_some()),
+        content.has_cutting(),
         "a label is certain far from its limit, and with [bit.cutting] motion is often chaotic: \
          leave it out",
     )?;

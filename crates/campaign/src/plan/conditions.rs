@@ -222,7 +222,7 @@ pub fn are_complete(
         let key = format!("design.axes.{}", axis.name());
         return Err(source.error(&key, format!("needs {needs}")));
     }
-    let cuts = (content.bit.as_ref()).is_some_and(|bit| bit.cutting.is_some());
+    let cuts = content.has_cutting();
     let is_of_cutting = |axis: &&Axis| matches!(axis, Axis::FeedMH | Axis::StartNumber);
     if let Some(axis) = design.axes().iter().find(is_of_cutting).filter(|_| !cuts) {
         let key = format!("design.axes.{}", axis.name());

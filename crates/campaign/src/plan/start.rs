@@ -32,10 +32,7 @@ pub struct Starts {
 /// # Errors
 /// Where it does not suit the rest of the file.
 pub fn resolve(source: &Source, content: &FileContent) -> Result<Starts, SweepFileError> {
-    let cuts = content
-        .bit
-        .as_ref()
-        .is_some_and(|bit| bit.cutting.is_some());
+    let cuts = content.has_cutting();
     let name = match (content.start, rest_only(content)) {
         (None, None) if cuts => StartName::Ramp,
         (None, None) if !source.gives("surface_speed_rise_s") => StartName::Stuck,
@@ -92,10 +89,7 @@ fn check(
     if let Some(message) = rest_only {
         return Err(source.error("start", message));
     }
-    let cuts = content
-        .bit
-        .as_ref()
-        .is_some_and(|bit| bit.cutting.is_some());
+    let cuts = content.has_cutting();
     let message = "with [bit.cutting] a case begins at rest, `\"ramp\"`, or drilling steadily, \
                    `\"smooth\"`";
     source.refuse_if(cuts && name != StartName::Smooth, "start", message)?;
@@ -147,11 +141,7 @@ impl Starts {
             _ if rest_only(content).is_some() => return None,
             StartName::Both => return None,
             // What cuts begins at rest or steadily.
-            _ if content
-                .bit
-                .as_ref()
-                .is_some_and(|bit| bit.cutting.is_some()) =>
-            {
+            _ if content.has_cutting() => {
                 return None;
             }
             StartName::Stuck => StartName::Smooth,

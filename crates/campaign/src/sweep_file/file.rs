@@ -152,6 +152,11 @@ pub struct FileContent {
 }
 
 impl FileContent {
+    /// Whether the blades of the bit cut what they leave.
+    pub fn has_cutting(&self) -> bool {
+        (self.bit.as_ref()).is_some_and(|bit| bit.cutting.is_some())
+    }
+
     /// Whether the hole decides the clearance where nothing else does.
     pub fn clearance_is_of_hole(&self) -> bool {
         let clearance = self.wall.and_then(|wall| wall.clearance);

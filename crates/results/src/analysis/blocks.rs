@@ -104,10 +104,9 @@ pub fn blocks_of(
 
 /// The severities that tables have columns of: those along the axis, the last, where the bit cuts.
 fn severities_in(tables: &[ResultTables]) -> Vec<Measure> {
-    let cuts = tables.iter().all(|tables| {
-        let bit = tables.manifest.sweep.bit.as_ref();
-        bit.is_some_and(|bit| bit.cutting.is_some())
-    });
+    let cuts = tables
+        .iter()
+        .all(|tables| tables.manifest.sweep.has_cutting());
     let is_there = |measure: &Measure| cuts || measure.motion() != Some(Motion::Axial);
     Measure::severities().take_while(is_there).collect()
 }

@@ -28,10 +28,7 @@ impl Rates {
     /// Where tables cannot be read.
     pub fn of(tables: &ResultTables, ranges: usize) -> Result<Option<Self>> {
         let content = &tables.manifest.sweep;
-        let cuts = content
-            .bit
-            .as_ref()
-            .is_some_and(|bit| bit.cutting.is_some());
+        let cuts = content.has_cutting();
         let Some(measure) = Measure::named(RATE).filter(|_| cuts && !tables.manifest.is_trace())
         else {
             return Ok(None);

@@ -6,12 +6,11 @@ use std::f64::consts::TAU;
 use linear::Method;
 use problems::dashpots::{BelowDashpots, collar, pipe};
 use problems::delay_lines::{CuttingBit, Rock};
+use sim::Kick;
 use sim::laws::cutting::CutStep;
-use sim::laws::rock::CuttingLaw;
-use sim::{Blades, Cutting, FlatContact, Kick};
 
 use super::scene::{
-    Drilling, assert_part, bit, given, immovable, mean, most, part, responses, ringing,
+    Drilling, assert_part, bit, given, immovable, mean, most, one_blade, part, responses, ringing,
 };
 
 /// The time near a guess after which speeds are most alike, s.
@@ -186,21 +185,7 @@ fn axial_cycle(stiffness: f64, speed: f64) -> Vec<CutStep> {
     let count = (DURATION / CYCLE_STEP) as usize;
     let axial = ringing(1.0 / IMPEDANCE, 2.0 * TRAVEL / CYCLE_STEP, SENT_BACK, count);
     // k_a of one blade of 2π radians; the flats carry FLAT.
-    let cutting = Cutting {
-        rock: CuttingLaw {
-            bit_radius: 1.0,
-            specific_energy: stiffness,
-            cutting_ratio: 1.0,
-            friction: 0.0,
-            contact_strength: FLAT,
-            contact_growth: 1.0,
-            wear_flat: 1.0,
-            poor_cleaning: None,
-        },
-        contact: FlatContact::AtOnce,
-        blades: Blades::Even(1),
-        relief: f64::INFINITY,
-    };
+    let cutting = one_blade(stiffness, [1.0, 0.0], FLAT);
     let kick = Kick {
         torque: 0.0,
         force: PUSH,

@@ -12,10 +12,9 @@ use std::f64::consts::TAU;
 
 use linear::parallel;
 use problems::delay_lines::{CuttingBit, Rock};
-use sim::laws::rock::CuttingLaw;
-use sim::{Blades, Cutting, FlatContact, Kick, SimulationError};
+use sim::{Kick, SimulationError};
 
-use super::scene::{Drilling, given, ringing};
+use super::scene::{Drilling, given, one_blade, ringing};
 
 /// A place of a map.
 #[derive(Debug, Clone, Copy)]
@@ -92,22 +91,9 @@ fn by_stepper(place: Place, step: f64) -> f64 {
     let count = (DURATION / step).round() as usize + 1;
     let taps =
         |compliance: f64, round_trip: f64| ringing(compliance, round_trip / step, SENT_BACK, count);
-    let cutting = Cutting {
-        rock: CuttingLaw {
-            bit_radius: 1.0,
-            specific_energy: 2.0,
-            // It has to be more than nothing.
-            cutting_ratio: 0.5 * place.stiffness.max(1e-9),
-            friction: 2.0 * FLAT_RADIUS,
-            contact_strength: FLATS,
-            contact_growth: 1.0,
-            wear_flat: 1.0,
-            poor_cleaning: None,
-        },
-        contact: FlatContact::AtOnce,
-        blades: Blades::Even(1),
-        relief: f64::INFINITY,
-    };
+    // The ratio has to be more than nothing.
+    let ratio = 0.5 * place.stiffness.max(1e-9);
+    let cutting = one_blade(2.0, [ratio, 2.0 * FLAT_RADIUS], FLATS);
     let kick = Kick {
         torque: 0.0,
         force: -1.0,

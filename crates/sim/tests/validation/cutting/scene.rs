@@ -33,6 +33,26 @@ pub fn bit(specific_energy: f64, wear_flat: f64) -> Cutting {
     }
 }
 
+/// A bit of one blade that meets itself after a turn, of a radius of one; its flats carry all they can
+/// at once.
+pub fn one_blade(specific_energy: f64, [cutting_ratio, friction]: [f64; 2], flats: f64) -> Cutting {
+    Cutting {
+        rock: CuttingLaw {
+            bit_radius: 1.0,
+            specific_energy,
+            cutting_ratio,
+            friction,
+            contact_strength: flats,
+            contact_growth: 1.0,
+            wear_flat: 1.0,
+            poor_cleaning: None,
+        },
+        contact: FlatContact::AtOnce,
+        blades: Blades::Even(1),
+        relief: f64::INFINITY,
+    }
+}
+
 /// Responses of the bit of a string in torsion and along the axis, for cases of a duration in steps
 /// of a time, s.
 pub fn responses(below: &BelowDashpots, method: &Method, [step, duration]: [f64; 2]) -> Responses {

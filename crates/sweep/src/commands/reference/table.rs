@@ -30,11 +30,7 @@ pub fn reference_table(
     let mut writer = csv::Writer::from_writer(comments.into_bytes());
     let mut header = vec!["case".to_owned(), "method".to_owned()];
     header.extend(manifest.axes.iter().map(|axis| axis.name()));
-    let cuts = manifest
-        .sweep
-        .bit
-        .as_ref()
-        .is_some_and(|bit| bit.cutting.is_some());
+    let cuts = manifest.sweep.has_cutting();
     let motions = Motion::ALL.into_iter();
     let motions: Vec<Motion> = motions.filter(|it| *it != Motion::Axial || cuts).collect();
     header.extend(motions.iter().map(|motion| motion.name().to_owned()));
