@@ -43,7 +43,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod free_motion;
+use linear::SteadyMotion;
 
 use crate::axial_motion::AxialMotion;
 use crate::coupling::{Coupling, Free, Load, Unloaded};
@@ -62,7 +62,6 @@ use crate::port::{PortTorque, Turned, meet_bit, meet_cut};
 use crate::scene::Scene;
 use crate::start::Start;
 use crate::system::System;
-use free_motion::Reference;
 
 /// One step of all sites that may bear a load.
 #[derive(Debug, Clone)]
@@ -114,6 +113,19 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     free: Vec<f64>,
     step_torques: Vec<f64>,
     now: Step<B::State>,
+}
+
+/// The motion that all loads are added to: until it leaves that motion, nothing has to
+/// be stepped.
+#[derive(Debug, Clone, Copy)]
+enum Reference<'a> {
+    /// The surface turns a string that is free.
+    Free,
+    /// The surface turns a string whose bit is held fast, by these torques per unit of
+    /// its speed. Loads are what the torques on the bit, the only ones, differ by.
+    Stuck(&'a [f64]),
+    /// No speed changes. The load of the bit is what its torque differs by.
+    Steady(&'a SteadyMotion),
 }
 
 impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
@@ -247,6 +259,80 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         self.end_step();
         self.next += 1;
         Ok(Some(&self.now))
+    }
+
+    /// What ports and walls do in this step if no law answered.
+    #[inline]
+    fn find_free_motion(&mut self) {
+        let (scene, step) = (self.scene, self.next);
+        let surface_speed = match self.reference {
+            Reference::Free => Some(scene.surface_speed),
+            Reference::Stuck(_) | Reference::Steady(_) => None,
+        };
+        self.torsion.write_free(step, surface_speed, &mut self.free);
+        match self.reference {
+            Reference::Free => {}
+            Reference::Stuck(stuck) => {
+                self.held = scene.surface_speed * stuck[step];
+                self.free[0] -= self.within.compliance(0) * self.held;
+            }
+            Reference::Steady(motion) => self.add_steady_motion(motion),
+        }
+        if let Some(lateral) = &mut self.lateral {
+            lateral.find_free_motion(self.now.time, &self.now.speeds);
+        }
+        self.find_axial_motion();
+    }
+
+    /// The same along the axis; a disturbance turns the bit, too.
+    #[inline]
+    fn find_axial_motion(&mut self) {
+        let Some((axial, port)) = &mut self.axial else {
+            return;
+        };
+        axial.find_free_motion(self.next, self.now.time);
+        let kick = axial.kick();
+        if kick == 0.0 {
+            return;
+        }
+        match self.within {
+            Within::All(torsion) => {
+                for (index, free) in self.free.iter_mut().enumerate() {
+                    *free += torsion.instant(index, *port) * kick;
+                }
+            }
+            Within::Chain(_) => self.free[*port] += kick,
+        }
+    }
+
+    /// The motion that the scene began with, without the torque that holds or brakes the bit in it.
+    #[inline]
+    fn add_steady_motion(&mut self, motion: &SteadyMotion) {
+        let loaded = self.system.torsion.loaded();
+        let at_bit = self.bit_port();
+        if at_bit.is_some() {
+            self.held = motion.at_bit.at(self.now.time);
+        }
+        match self.within {
+            Within::All(torsion) => {
+                for (speed, site) in self.free.iter_mut().zip(loaded) {
+                    *speed += motion.speeds[*site];
+                }
+                if let Some(port) = at_bit {
+                    for (index, speed) in self.free.iter_mut().enumerate() {
+                        *speed -= torsion.instant(index, port) * self.held;
+                    }
+                }
+            }
+            Within::Chain(chain) => {
+                for (port, driving) in self.free.iter_mut().enumerate() {
+                    *driving += chain.taken(port, &motion.speeds);
+                }
+                if let Some(port) = at_bit {
+                    self.free[port] -= self.held;
+                }
+            }
+        }
     }
 
     /// The bit's law, where nothing else acts.
