@@ -20,7 +20,7 @@ fn relative_speed(torque: f64) -> f64 {
 }
 
 /// Smooth rotation: by the chart faster than the surface, without friction along the string and with;
-/// and no limit of a bit that turns with its string is told.
+/// and no limit of a bit that turns with its string is given.
 #[test]
 fn a_bit_below_a_motor_turns_by_its_chart() {
     let friction = "[well]\nsurvey = \"survey.csv\"\n[string_friction]\nstatic_coefficient = 0.3\n\

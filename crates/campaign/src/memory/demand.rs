@@ -18,7 +18,7 @@ use crate::plan::{Setting, Sweep};
 const MIB: f64 = 1024.0 * 1024.0;
 
 /// What the program takes for itself, bytes; for each of its threads; and to draw.
-const PROGRAM: f64 = 20.0 * MIB;
+const PROGRAM: f64 = 32.0 * MIB;
 const THREAD: f64 = 2.0 * MIB;
 const PICTURE: f64 = 48.0 * MIB;
 
