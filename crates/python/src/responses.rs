@@ -225,6 +225,7 @@ impl Responses {
             walls,
             impulses: asked.impulses,
             eccentric_masses: asked.eccentric_masses,
+            lying: None,
         });
         let bit = asked.bit.map(|law| Bit::of(law, &interruption));
         let scene = Scene {

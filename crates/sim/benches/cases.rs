@@ -49,6 +49,7 @@ fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
                 direction: 0.0,
             }],
             eccentric_masses: vec![],
+            lying: None,
         }),
         timing: Timing {
             duration,

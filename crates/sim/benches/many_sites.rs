@@ -50,6 +50,7 @@ fn scene(sites: usize, touching: usize) -> Scene {
                 .collect(),
             impulses: vec![],
             eccentric_masses: (0..sites).filter(|site| touches(*site)).map(mass).collect(),
+            lying: None,
         }),
         timing: Timing {
             duration: DURATION,

@@ -101,6 +101,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             walls: vec![rubber],
             impulses: vec![impulse],
             eccentric_masses: Vec::new(),
+            lying: None,
         }),
         timing: Timing {
             duration: 3.0,

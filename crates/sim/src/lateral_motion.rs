@@ -27,10 +27,14 @@ pub(crate) struct LateralMotion<'a, W> {
     external: Vec<f64>,
     free_positions: Vec<f64>,
     step_forces: Vec<f64>,
+    /// Of a string that lies in its hole: the forces of its walls at rest, and where it would be
+    /// at rest without what they do within a step; x of all walls and then y. Else nothing.
+    resting_forces: Vec<f64>,
+    resting_positions: Vec<f64>,
 }
 
 impl<'a, W: WallLaw> LateralMotion<'a, W> {
-    /// At rest in the middle.
+    /// At rest: in the middle, or where the string lies.
     ///
     /// # Errors
     /// Where the string does not bend, or has other walls.
@@ -44,18 +48,34 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         if walls != sites {
             return Err(SimulationError::NotAWallForEachSite { walls, sites });
         }
+        let lying = scene.lying.as_ref();
+        let resting_forces = lying.map_or_else(Vec::new, |it| by_axis(&it.forces));
+        let resting_positions = lying.map_or_else(Vec::new, |it| {
+            let mut positions = by_axis(&it.positions);
+            let planes = positions.chunks_exact_mut(sites);
+            for (positions, forces) in planes.zip(resting_forces.chunks_exact(sites)) {
+                for (input, force) in forces.iter().enumerate() {
+                    for (site, position) in positions.iter_mut().enumerate() {
+                        *position -= channel.instant(site, input) * force;
+                    }
+                }
+            }
+            positions
+        });
         Ok(Self {
             system,
             scene,
             channel,
             walls: &system.walls,
             forces: channel.past(steps),
-            positions: vec![[0.0; 2]; sites],
+            positions: lying.map_or_else(|| vec![[0.0; 2]; sites], |it| it.positions.clone()),
             sliding_speeds: vec![None; sites],
             rotations: vec![0.0; sites],
             external: vec![0.0; 2 * sites],
             free_positions: vec![0.0; 2 * sites],
             step_forces: vec![0.0; 2 * sites],
+            resting_forces,
+            resting_positions,
         })
     }
 
@@ -64,6 +84,10 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         let sites = self.positions.len();
         self.find_external_forces(time, last_speeds);
         self.forces.write_past(&mut self.free_positions);
+        let resting = self.resting_positions.iter();
+        for (position, resting) in self.free_positions.iter_mut().zip(resting) {
+            *position += resting;
+        }
         let planes = self.free_positions.chunks_exact_mut(sites);
         for (positions, external) in planes.zip(self.external.chunks_exact(sites)) {
             let acting = external
@@ -96,7 +120,12 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             let speed = last_speeds[self.walls.ports()[mass.site]];
             let since = sampling.collocation_offset / sampling.frequency;
             let rotation = self.rotations[mass.site] + since * speed;
-            add(mass.site, mass.force(x.hypot(y), rotation, speed));
+            // The centre of a string that lies in its hole does not turn about the middle of it.
+            let radius = match self.scene.lying {
+                None => x.hypot(y),
+                Some(_) => 0.0,
+            };
+            add(mass.site, mass.force(radius, rotation, speed));
         }
     }
 
@@ -138,10 +167,15 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             self.sliding_speeds[site] = contact.touches().then_some(contact.sliding_speed);
             self.rotations[site] += speeds[port] / sampling.frequency;
         }
+        let resting = self.resting_forces.iter();
+        for (force, resting) in self.step_forces.iter_mut().zip(resting) {
+            *force -= resting;
+        }
         self.forces.add(&self.step_forces);
     }
 
-    /// All forces at a wall so far along an axis, disturbances included, N.
+    /// All forces at a wall so far along an axis, disturbances included, less those that hold a
+    /// string at rest, N.
     pub(crate) fn forces(&self, axis: usize, site: usize) -> &[f64] {
         self.forces.loads(axis, site)
     }
@@ -163,4 +197,10 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         self.sliding_speeds.fill(None);
         self.forces.push_quiet_block();
     }
+}
+
+/// x of all and then y.
+fn by_axis(pairs: &[[f64; 2]]) -> Vec<f64> {
+    let axis = |axis: usize| pairs.iter().map(move |pair| pair[axis]);
+    axis(0).chain(axis(1)).collect()
 }

@@ -37,6 +37,7 @@ use crate::line::{Bending, Torsion};
 use crate::shortcuts::BitAlone;
 use crate::surface::SurfaceResponse;
 use crate::trajectory::Trajectory;
+use crate::watch::swing::SwingWatch;
 use crate::watch::torsion::BitWatch;
 
 /// A simulator for cases of a number of steps at most.
@@ -47,6 +48,8 @@ pub struct SimulatorPlan {
     bending: Option<(usize, usize)>,
     /// Taps of axial motion, where the bit cuts.
     axial: Option<usize>,
+    /// Whether it lies in its hole.
+    lies: bool,
     steps: f64,
 }
 
@@ -134,6 +137,7 @@ impl SimulatorPlan {
             line,
             bending: None,
             axial: None,
+            lies: false,
             steps,
         }
     }
@@ -154,6 +158,12 @@ impl SimulatorPlan {
             axial: Some(taps),
             ..self
         }
+    }
+
+    /// The same, which lies in its hole or does not.
+    #[must_use]
+    pub fn lying(self, lies: bool) -> Self {
+        Self { lies, ..self }
     }
 
     /// What preparing it takes of a budget.
@@ -222,7 +232,17 @@ impl SimulatorPlan {
             .axial
             .map(|taps| Torsion::past_bytes(1, taps, steps) + Face::bytes(MOST_PROFILES, steps));
         let alone = self.alone().map(BitAlone::case_bytes);
-        line + along.unwrap_or(0.0)
+        let walls = match (self.line, self.bending) {
+            (Line::Mesh { sites, .. }, _) | (_, Some((sites, _))) => sites,
+            _ => 0,
+        };
+        let swings = match self.lies {
+            true => SwingWatch::bytes(walls),
+            false => 0.0,
+        };
+        swings
+            + line
+            + along.unwrap_or(0.0)
             + bending.unwrap_or(0.0)
             + alone.unwrap_or(0.0)
             + BitWatch::bytes(steps)

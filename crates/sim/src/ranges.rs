@@ -35,6 +35,14 @@ pub enum SceneError {
         /// How many there are.
         sites: usize,
     },
+    /// The string at rest is that of other walls.
+    #[error("the string at rest has {found} places, but there are {walls} walls")]
+    LyingAtOtherWalls {
+        /// How many it has.
+        found: usize,
+        /// How many there are.
+        walls: usize,
+    },
     /// A law gives the torque on a bit that cuts.
     #[error("a bit that cuts has no other law of its torque")]
     TwoLawsOfTheBit,

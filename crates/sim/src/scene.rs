@@ -38,6 +38,7 @@ use crate::laws::cutting::Cutting;
 use crate::laws::pipe::PipeFriction;
 use crate::laws::torque::TorqueLaw;
 use crate::laws::wall::Wall;
+use crate::lying::Lying;
 use crate::ranges::{SceneError, finite, known_site, not_negative, positive};
 use crate::start::Start;
 
@@ -104,6 +105,8 @@ pub struct Lateral<W = Wall> {
     pub impulses: Vec<Impulse>,
     /// Eccentric masses, at sites numbered as the walls are.
     pub eccentric_masses: Vec<EccentricMass>,
+    /// How a string that has weight across its hole lies in it; `None` where it hangs in the middle.
+    pub lying: Option<Lying>,
 }
 
 impl<B: TorqueLaw, W: WallLaw> Scene<B, W> {
@@ -134,6 +137,7 @@ impl<B: TorqueLaw, W: WallLaw> Scene<B, W> {
             return Ok(());
         };
         lateral.walls.iter().try_for_each(WallLaw::check)?;
+        lateral.lying.iter().try_for_each(|it| it.check(walls))?;
         for impulse in &lateral.impulses {
             known_site("an impulse", impulse.site, walls)?;
             finite("amount of an impulse in N s", impulse.amount)?;

@@ -272,5 +272,6 @@ fn lateral_scene(
         walls: walls.collect::<Result<_, CaseError>>()?,
         impulses: impulses.collect::<Result<_, CaseError>>()?,
         eccentric_masses: settings.eccentric_masses.clone(),
+        lying: None,
     })
 }

@@ -1,6 +1,7 @@
 //! Blocks of steps in which nothing disturbs the sites and none reaches its wall: out of
 //! contact the string is linear, and what the past makes of a block is known before it
-//! is stepped. Where a bit cuts there are none, for it acts in every step.
+//! is stepped. Where a bit cuts there are none, for it acts in every step; nor of a string that lies on
+//! its wall.
 
 use crate::convolution::partition::FIRST_BLOCK;
 use crate::laws::contact::WallLaw;
@@ -25,6 +26,9 @@ pub(crate) fn pass_free_block<B: TorqueLaw, W: WallLaw>(
     let Some(lateral) = scene.lateral.as_ref().filter(|_| turns_freely) else {
         return 0;
     };
+    if lateral.lying.is_some() {
+        return 0;
+    }
     if count == 0
         || !is_quiet(
             lateral,

@@ -177,7 +177,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
         }
         let (lateral, step) = (self.scene.lateral.as_ref()?, self.stepper.next_step());
         let turns = self.scene.turns_against_rock() || !self.scene.friction.is_empty();
-        if turns || !is_left_alone(lateral, self.system.sampling.start_of(step)) {
+        // A string that lies on its wall swings more slowly than these windows.
+        if turns
+            || lateral.lying.is_some()
+            || !is_left_alone(lateral, self.system.sampling.start_of(step))
+        {
             return None;
         }
         let (watch, settling) = self.watch.walls.as_mut()?;

@@ -42,12 +42,12 @@ impl Watchers {
             watch.skip_stuck(stepper.next_step().min(steps));
             watch
         });
-        let walls = scene.lateral.as_ref().map(|_| {
+        let walls = scene.lateral.as_ref().map(|lateral| {
             let sites = system.walls.len();
             let speed = scene.surface_speed;
             let walls = WallWatch::new(rules, sites, speed, sampling, (steps, window));
             (
-                walls,
+                walls.of_lying(lateral.lying.as_ref()),
                 Settling::new(rules, sites, sampling.frequency, steps),
             )
         });

@@ -9,7 +9,9 @@
 //! use sim::{Label, LateralRegime, Motion};
 //!
 //! let labels = LateralRegime::ALL.map(LateralRegime::name);
-//! assert_eq!(labels, ["no_contact", "transient_contact", "backward_whirl", "forward_whirl"]);
+//! assert_eq!(labels[..4], ["no_contact", "transient_contact", "backward_whirl", "forward_whirl"]);
+//! // Of strings that lie on the low side of their hole, which may whirl, too.
+//! assert_eq!(labels[4..], ["low_side", "snaking"]);
 //! // A touch that does not last, or that does not go round, is no whirl.
 //! let is_whirl = |regime: LateralRegime| Label::Lateral(regime).is_sustained();
 //! assert_eq!(is_whirl(LateralRegime::TransientContact), Some(false));
@@ -20,8 +22,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::rules::Rules;
+use super::swing::{Swing, SwingWatch};
 use super::turning::Turning;
 use crate::laws::contact::{Contact, Touch};
+use crate::lying::Lying;
 use crate::sampling::Sampling;
 use crate::words::with_words;
 
@@ -38,6 +42,10 @@ with_words! {
         BackwardWhirl = "backward_whirl",
         /// Some site whirls with the rotation.
         ForwardWhirl = "forward_whirl",
+        /// The string lies on the low side of its hole, no site swinging by more than a little.
+        LowSide = "low_side",
+        /// It swings to either side of where it lies, and does not go round.
+        Snaking = "snaking",
     }
 }
 
@@ -69,6 +77,24 @@ pub struct LateralMeasures {
     pub mean_normal_force: f64,
     /// Steps of all sites that had several solutions.
     pub ambiguous_steps: usize,
+    /// How a string that lies in its hole swings there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lying: Option<LyingMeasures>,
+}
+
+/// What a person would ask of a string that lies in its hole, of the site that decides the label.
+/// Angles are from the low side, positive where the string climbs against its rotation.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct LyingMeasures {
+    /// Mean angle in the closing window, rad.
+    pub climb: f64,
+    /// Half of what lies between the least and the greatest angle in it, rad.
+    pub swing_amplitude: f64,
+    /// How often it swings to and fro, Hz; zero where it does not.
+    pub swing_frequency: f64,
+    /// Greatest angle of any site away from the low side in all, rad.
+    pub greatest_angle: f64,
 }
 
 fn is_zero(rate: &f64) -> bool {
@@ -77,8 +103,12 @@ fn is_zero(rate: &f64) -> bool {
 
 impl LateralMeasures {
     /// What may be no number, with its name.
-    pub(crate) fn numbers(&self) -> [(&'static str, f64); 4] {
+    pub(crate) fn numbers(&self) -> [(&'static str, f64); 5] {
         [
+            (
+                "greatest angle from the low side",
+                self.lying.map_or(0.0, |it| it.greatest_angle),
+            ),
             ("largest radius", self.peak_radius),
             ("mean radius in the closing window", self.mean_radius),
             ("rate of precession", self.precession_rate),
@@ -139,6 +169,10 @@ pub(crate) struct WallWatch {
     closing: Vec<SiteSums>,
     /// Squares of the largest radii, m².
     furthest: Vec<f64>,
+    surface_speed: f64,
+    steps: usize,
+    /// Of a string that lies in its hole.
+    swings: Option<SwingWatch>,
 }
 
 impl WallWatch {
@@ -160,6 +194,18 @@ impl WallWatch {
             ambiguous: 0,
             closing: vec![SiteSums::default(); sites],
             furthest: vec![0.0; sites],
+            surface_speed,
+            steps,
+            swings: None,
+        }
+    }
+
+    /// The same of a string that lies in its hole, where it does.
+    pub(crate) fn of_lying(self, lying: Option<&Lying>) -> Self {
+        let of = |it| SwingWatch::new(it, self.surface_speed, self.steps, self.closing_from);
+        Self {
+            swings: lying.map(of),
+            ..self
         }
     }
 
@@ -177,6 +223,9 @@ impl WallWatch {
     fn see_site(&mut self, step: usize, site: usize, contact: &Contact) {
         let [x, y] = contact.position;
         self.furthest[site] = self.furthest[site].max(x * x + y * y);
+        if let Some(swings) = &mut self.swings {
+            swings.see(step, site, contact, self.furthest[site]);
+        }
         if step >= self.closing_from {
             self.closing[site].see(contact, self.furthest[site]);
         } else {
@@ -215,25 +264,27 @@ impl WallWatch {
         let steps = steps as f64;
         let rate = |sums: &SiteSums| sums.turning.angle() * self.sampling.frequency / steps;
         let contact_fraction = |sums: &SiteSums| sums.contact as f64 / steps;
-        let whirls = |sums: &SiteSums| {
-            contact_fraction(sums) > self.rules.mostly
-                && rate(sums).abs() > self.least_precession_rate
+        let (site, regime, lying) = match &self.swings {
+            None => {
+                let (site, regime) = self.hanging(closing, steps);
+                (site, regime, None)
+            }
+            Some(swings) => {
+                let (site, regime, swing) = self.lying(swings, closing);
+                let furthest = (0..closing.len()).map(|site| swings.furthest(site));
+                let measures = LyingMeasures {
+                    climb: swing.climb,
+                    swing_amplitude: swing.amplitude,
+                    swing_frequency: swing.frequency,
+                    greatest_angle: furthest.fold(0.0, f64::max),
+                };
+                (site, regime, Some(measures))
+            }
         };
-        // The lowest of equals: the bit, where nothing touches.
-        let decides = |sums: &SiteSums| (whirls(sums), sums.contact);
-        let most = closing.iter().map(decides).max().unwrap_or_default();
-        let site = (closing.iter())
-            .rposition(|sums| decides(sums) == most)
-            .unwrap_or(0);
         let sums = &closing[site];
         let in_contact = (sums.contact as f64).max(1.0);
-        let regime = match self.first_contact {
-            None => LateralRegime::NoContact,
-            Some(_) if !whirls(sums) => LateralRegime::TransientContact,
-            Some(_) if rate(sums) < 0.0 => LateralRegime::BackwardWhirl,
-            Some(_) => LateralRegime::ForwardWhirl,
-        };
         LateralMeasures {
+            lying,
             regime,
             site,
             first_contact: self.first_contact.map(|step| self.sampling.time_of(step)),
@@ -246,6 +297,61 @@ impl WallWatch {
             mean_normal_force: sums.normal_force / in_contact,
             ambiguous_steps: self.ambiguous,
         }
+    }
+
+    /// The site that decides, of a string that hangs in the middle of its hole, and the regime.
+    fn hanging(&self, closing: &[SiteSums], steps: f64) -> (usize, LateralRegime) {
+        let rate = |sums: &SiteSums| sums.turning.angle() * self.sampling.frequency / steps;
+        let whirls = |sums: &SiteSums| {
+            sums.contact as f64 / steps > self.rules.mostly
+                && rate(sums).abs() > self.least_precession_rate
+        };
+        // The lowest of equals: the bit, where nothing touches.
+        let decides = |sums: &SiteSums| (whirls(sums), sums.contact);
+        let most = closing.iter().map(decides).max().unwrap_or_default();
+        let site = (closing.iter())
+            .rposition(|sums| decides(sums) == most)
+            .unwrap_or(0);
+        let sums = &closing[site];
+        let regime = match self.first_contact {
+            None => LateralRegime::NoContact,
+            Some(_) if !whirls(sums) => LateralRegime::TransientContact,
+            Some(_) if rate(sums) < 0.0 => LateralRegime::BackwardWhirl,
+            Some(_) => LateralRegime::ForwardWhirl,
+        };
+        (site, regime)
+    }
+
+    /// The same of one that lies in its hole: of the sites in contact for most of the time, that
+    /// which goes round most often or, where none does, swings furthest.
+    fn lying(&self, swings: &SwingWatch, closing: &[SiteSums]) -> (usize, LateralRegime, Swing) {
+        let steps = self.step.saturating_sub(self.closing_from).max(1) as f64;
+        let touches = |site: &usize| closing[*site].contact as f64 / steps > self.rules.mostly;
+        let every = || 0..closing.len();
+        let swing = |site: usize| (site, swings.of_site(site, self.sampling.frequency));
+        let mut found: Vec<(usize, Swing)> = every().filter(touches).map(swing).collect();
+        if found.is_empty() {
+            found = every().map(swing).collect();
+        }
+        let goes_round = |it: &Swing| it.turns.abs() >= self.rules.least_turns_of_lying;
+        let order = |one: &Swing, other: &Swing| {
+            let of = |it: &Swing| match goes_round(it) {
+                true => (true, it.turns.abs()),
+                false => (false, it.amplitude),
+            };
+            let ((one, by), (other, than)) = (of(one), of(other));
+            one.cmp(&other).then(by.total_cmp(&than))
+        };
+        let (site, swing) = (found.into_iter())
+            .max_by(|(_, one), (_, other)| order(one, other))
+            .unwrap_or_else(|| swing(0));
+        let regime = match swing {
+            it if goes_round(&it) && it.turns < 0.0 => LateralRegime::ForwardWhirl,
+            it if goes_round(&it) => LateralRegime::BackwardWhirl,
+            it if it.amplitude > self.rules.snaking => LateralRegime::Snaking,
+            _ => LateralRegime::LowSide,
+        };
+        (site, regime, swing)
     }
 }
 

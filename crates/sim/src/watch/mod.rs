@@ -8,5 +8,6 @@ pub(crate) mod rubbing;
 pub mod rules;
 pub(crate) mod settling;
 pub mod surface;
+pub(crate) mod swing;
 pub mod torsion;
 mod turning;

@@ -33,6 +33,11 @@ pub struct Rules {
     /// off, creeps along it with millinewtons: on random strings by 0.002 turns at most, where
     /// whirl that lasts has 1.8 or more (`val_no_simulated_whirl_has_less_friction_than_it_needs`).
     pub least_turns: f64,
+    /// A string that lies in its hole whirls if it goes round the middle at least so often in the
+    /// closing window.
+    pub least_turns_of_lying: f64,
+    /// One that does not, and swings by more than this to either side, rad, snakes.
+    pub snaking: f64,
     /// A bit that turns for this part of what it remembers, in per cent, may turn for
     /// ever: a wave has come and gone several times.
     pub turning_for: usize,
@@ -57,6 +62,8 @@ impl Rules {
         mostly: 0.5,
         off_bottom: 1e-3,
         least_turns: 0.1,
+        least_turns_of_lying: 1.0,
+        snaking: std::f64::consts::PI / 180.0,
         turning_for: 10,
         settling_tolerance: 1e-2,
         window: 0.25,

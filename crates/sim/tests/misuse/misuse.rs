@@ -90,6 +90,7 @@ fn touching() -> Scene {
             walls: vec![WALL],
             impulses: vec![impulse],
             eccentric_masses: vec![mass],
+            lying: None,
         }),
         ..cutting()
     }

@@ -49,6 +49,7 @@ fn rattle(method: &Method, wall: Wall, sampling_frequency: f64, steps: usize) ->
             walls: vec![wall],
             impulses: (0..60).map(impulse).collect(),
             eccentric_masses: vec![],
+            lying: None,
         }),
         timing: Timing {
             duration,

@@ -96,6 +96,7 @@ fn contacts(sampling_frequency: f64, wall: Wall) -> Vec<Contact> {
             walls: vec![wall],
             impulses: vec![PUSH, SHORT],
             eccentric_masses: vec![],
+            lying: None,
         }),
         timing: Timing {
             duration: DURATION,
@@ -208,6 +209,7 @@ fn val_sliding_that_friction_may_shake_is_not_taken_as_settled() {
                     mass: eccentric,
                     offset: 0.1,
                 }],
+                lying: None,
             }),
             timing: Timing {
                 duration: 10.0,

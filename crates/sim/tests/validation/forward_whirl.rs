@@ -167,6 +167,7 @@ fn academic_whirl(
             walls,
             impulses: vec![],
             eccentric_masses: vec![mass],
+            lying: None,
         }),
         timing: Timing {
             duration: 20.0,

@@ -239,6 +239,7 @@ impl Pushed {
                 walls: vec![wall],
                 impulses: vec![self.impulse],
                 eccentric_masses: vec![],
+                lying: None,
             }),
             timing: Timing {
                 duration: 10.0,

@@ -95,6 +95,7 @@ impl With {
                 walls: vec![wall; WALLS.len()],
                 impulses: vec![impulse],
                 eccentric_masses: Vec::new(),
+                lying: None,
             }),
             timing: Timing {
                 duration: TIME,

@@ -6,6 +6,7 @@ mod falling_friction;
 mod forward_whirl;
 mod held;
 mod lines;
+mod low_side;
 mod many_sites;
 mod motor;
 mod own_law;

@@ -330,6 +330,7 @@ impl Shaken {
                     walls: walls.collect(),
                     impulses: impulses.clone(),
                     eccentric_masses: vec![],
+                    lying: None,
                 }),
                 timing: Timing {
                     duration,

@@ -181,6 +181,7 @@ fn positions<W: WallLaw>(system: &System, wall: W) -> (Vec<[f64; 2]>, usize) {
             walls: vec![wall],
             impulses: vec![impulse(0.1, 0.0), impulse(0.5, 2.0)],
             eccentric_masses: vec![],
+            lying: None,
         }),
         timing: Timing {
             duration: 1.0,

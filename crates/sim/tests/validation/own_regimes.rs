@@ -341,6 +341,7 @@ fn val_a_wall_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_
                 walls: vec![wall],
                 impulses: vec![impulse],
                 eccentric_masses: vec![],
+                lying: None,
             }),
             timing: Timing {
                 duration: 10.0,
@@ -366,6 +367,7 @@ fn val_a_wall_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_
                 walls: vec![WrappedWall(wall)],
                 impulses: vec![impulse],
                 eccentric_masses: vec![],
+                lying: None,
             }),
             timing: built_in.timing,
         };

@@ -72,6 +72,7 @@ impl Both {
                     mass: 20.0,
                     offset: 0.05,
                 }],
+                lying: None,
             }),
             timing: Timing {
                 duration: DURATION,

@@ -103,6 +103,7 @@ impl Case {
             walls: vec![wall],
             impulses: vec![self.impulse(0, ratio)],
             eccentric_masses: vec![],
+            lying: None,
         }
     }
 }
@@ -212,6 +213,7 @@ fn val_figure_15_whirls_forward_as_the_forces_balance() {
                 mass,
                 offset,
             }],
+            lying: None,
         },
         None,
     );
@@ -359,6 +361,7 @@ fn val_three_sites_whirl_together() {
             walls: vec![wall(friction); 3],
             impulses: vec![case.impulse(1, 3.0)],
             eccentric_masses: vec![],
+            lying: None,
         };
         let low = case.run(lateral(0.5), None).regime;
         assert_eq!(low, LateralRegime::TransientContact, "{}", method.name());
@@ -417,6 +420,7 @@ fn val_the_whole_string_passes_through_every_site_at_every_time() {
             walls: vec![wall(2.0); 3],
             impulses: vec![case.impulse(1, 3.0)],
             eccentric_masses: vec![],
+            lying: None,
         };
         let mut trajectory = Trajectory::default();
         case.run(lateral, Some(&mut trajectory));
@@ -496,6 +500,7 @@ fn val_a_site_that_leans_on_the_wall_does_not_whirl() {
         walls: vec![wall(0.0)],
         impulses: vec![force],
         eccentric_masses: vec![],
+        lying: None,
     };
     let lateral = case.run(lateral, None);
     assert!(lateral.contact_fraction > 0.9, "{lateral:?}");
@@ -564,6 +569,7 @@ mod oscillator {
                 walls: vec![wall(0.5)],
                 impulses: impulses.iter().map(impulse).collect(),
                 eccentric_masses: vec![],
+                lying: None,
             }),
             timing: Timing {
                 duration: DURATION,

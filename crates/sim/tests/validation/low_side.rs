@@ -1,0 +1,288 @@
+//! Strings that lie on the low side of their hole, against two programs that share no
+//! time-stepping code with this one or with one another: explicit second differences of lumped
+//! masses, and cubic elements by Newmark's method.
+
+use std::f64::consts::{PI, TAU};
+
+use linear::method::FiniteElement;
+use linear::steady::rotation;
+use linear::{
+    Bending, ChannelRequest, Drillstring, Hole, HoleSection, Material, Method, Mud, Request,
+    Section, Sites, SurfaceSupport, Tube, responses,
+};
+use sim::{
+    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Lying, LyingMeasures, Scene,
+    Simulator, Start, Stopping, Timing, Trajectory, Wall,
+};
+
+const LENGTH: f64 = 60.0;
+const CLEARANCE: f64 = 0.053_975;
+const STIFFNESS: f64 = 1e9;
+
+/// Forces of nine walls at rest on the string of 8-inch collars at 60°, N, from an end to the
+/// middle.
+const AT_REST: [f64; 5] = [11_261.174, 10_004.243, 10_876.063, 10_658.886, 10_722.275];
+
+fn string() -> Drillstring {
+    let steel = Material {
+        shear_modulus: 79.3e9,
+        density: 7850.0,
+    };
+    let collar = Tube {
+        length: LENGTH,
+        inner_radius: 0.0357,
+        outer_radius: 0.1016,
+    };
+    let section = Section {
+        repeat: 1,
+        parts: vec![collar],
+    };
+    let around = HoleSection {
+        length: LENGTH,
+        radius: 0.155_575,
+    };
+    let hole = Hole {
+        mud: Mud {
+            density: 1200.0,
+            viscosity: 0.0,
+        },
+        sections: vec![around],
+    };
+    let string = Drillstring::new(steel, vec![section], 0.03).unwrap();
+    string.in_hole(hole).unwrap()
+}
+
+/// A simulator of it with nine walls, for a time (s).
+fn simulator(method: &Method, sampling_frequency: f64, longest_time: f64) -> Simulator {
+    let string = string();
+    let sites: Vec<f64> = (0..9)
+        .map(|site| (f64::from(site) + 0.5) * LENGTH / 9.0)
+        .collect();
+    let bending = Bending {
+        youngs_modulus: 206e9,
+        damping: 200.0,
+        compression: 0.0,
+    };
+    let request = Request {
+        sites: Sites::new(&string, &sites).unwrap(),
+        channels: vec![
+            ChannelRequest::Torsion {
+                torques: (0..9).collect(),
+            },
+            ChannelRequest::Bending {
+                bending,
+                support: SurfaceSupport::Free,
+            },
+        ],
+        sampling_frequency,
+        longest_time,
+    };
+    Simulator::new(&responses(&string, method, &request).unwrap()).unwrap()
+}
+
+/// Where the walls hold it at rest.
+fn lying() -> Lying {
+    let forces = (0..9).map(|site: usize| AT_REST[site.min(8 - site)]);
+    let position = |force: f64| [-(CLEARANCE + (force / STIFFNESS).powf(2.0 / 3.0)), 0.0];
+    Lying {
+        positions: forces.clone().map(position).collect(),
+        forces: forces.map(|force| [force, 0.0]).collect(),
+        low_side: vec![PI; 9],
+    }
+}
+
+/// One that turns from the beginning on, lying as at rest.
+fn turning(rpm: f64, friction: f64, duration: f64) -> Scene {
+    let speed = rpm * TAU / 60.0;
+    let string = string();
+    let sites: Vec<f64> = (0..9)
+        .map(|site| (f64::from(site) + 0.5) * LENGTH / 9.0)
+        .collect();
+    let sites = Sites::new(&string, &sites).unwrap();
+    let wall = Wall {
+        clearance: CLEARANCE,
+        stiffness: STIFFNESS,
+        friction,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
+        radius: 0.1016,
+    };
+    Scene {
+        surface_speed: speed,
+        start: Start::Steady(rotation(&string, &sites, speed, 0.0)),
+        bit: None,
+        friction: Vec::new(),
+        axial: None,
+        lateral: Some(Lateral {
+            walls: vec![wall; 9],
+            impulses: vec![],
+            eccentric_masses: vec![],
+            lying: Some(lying()),
+        }),
+        timing: Timing {
+            duration,
+            closing_window: 5.0,
+        },
+    }
+}
+
+fn measured(simulator: &Simulator, scene: &Scene) -> LateralMeasures {
+    let outcome = simulator.simulate(scene, Stopping::Early, None).unwrap();
+    outcome.lateral().unwrap()
+}
+
+fn low_side_of(it: &LateralMeasures) -> LyingMeasures {
+    it.lying.unwrap()
+}
+
+/// Unbalanced by 1 kg m in the middle.
+fn unbalanced(rpm: f64) -> Scene {
+    let mut scene = turning(rpm, 0.3, 40.0);
+    let mass = EccentricMass {
+        site: 4,
+        mass: 1.0,
+        offset: 1.0,
+    };
+    scene.lateral.as_mut().unwrap().eccentric_masses = vec![mass];
+    scene
+}
+
+#[test]
+fn val_a_string_that_lies_does_not_move_until_it_is_pushed() {
+    for method in [
+        Method::Held,
+        Method::Quadrature,
+        Method::FiniteElement(FiniteElement::default()),
+    ] {
+        let simulator = simulator(&method, 1000.0, 10.0);
+        for stiffness in [STIFFNESS, f64::INFINITY] {
+            let mut scene = turning(60.0, 0.0, 10.0);
+            let lateral = scene.lateral.as_mut().unwrap();
+            lateral
+                .walls
+                .iter_mut()
+                .for_each(|wall| wall.stiffness = stiffness);
+            let lying = lateral.lying.as_mut().unwrap();
+            if stiffness == f64::INFINITY {
+                lying.positions = vec![[-CLEARANCE, 0.0]; 9];
+            }
+            let at_rest = lying.clone();
+            let mut motion = Trajectory::default();
+            simulator
+                .simulate(&scene, Stopping::Full, Some(&mut motion))
+                .unwrap();
+            for (site, (place, [force, _])) in
+                at_rest.positions.iter().zip(at_rest.forces).enumerate()
+            {
+                for (there, [by, across]) in
+                    motion.positions[site].iter().zip(&motion.wall_forces[site])
+                {
+                    let moved = (there[0] - place[0]).hypot(there[1] - place[1]);
+                    assert!(moved < 1e-13, "{method:?} {stiffness}: {moved}");
+                    assert!((by - force).abs() + across.abs() < 1e-6 * force);
+                }
+            }
+        }
+    }
+}
+
+/// Greatest angle (deg), then in the last 5 of 20 s mean, amplitude (deg) and frequency (Hz), as
+/// explicit masses have them and, by half a thousandth to half a hundredth other, Newmark's elements.
+#[test]
+fn val_a_string_climbs_its_wall_and_swings_as_other_programs_have_it() {
+    for (method, frequency) in [
+        (Method::Quadrature, 2000.0),
+        (Method::Held, 1500.0),
+        (Method::FiniteElement(FiniteElement::default()), 1500.0),
+    ] {
+        let simulator = simulator(&method, frequency, 20.0);
+        for (rpm, friction, [greatest, climb, amplitude, swings]) in [
+            (60.0, 0.1, [10.935, 5.7091, 0.0543, 1.525]),
+            (120.0, 0.3, [33.745, 16.7031, 0.1683, 1.550]),
+            (180.0, 0.6, [81.411, 30.971, 0.3866, 1.625]),
+        ] {
+            let found = measured(&simulator, &turning(rpm, friction, 20.0));
+            assert_eq!(found.regime, LateralRegime::LowSide);
+            let lying = low_side_of(&found);
+            let [greatest_found, climbs, swing] =
+                [lying.greatest_angle, lying.climb, lying.swing_amplitude].map(f64::to_degrees);
+            let what = format!("{method:?} {rpm} {friction}: {lying:?}");
+            assert!((greatest_found / greatest - 1.0).abs() < 5e-3, "{what}");
+            assert!((climbs - climb).abs() < 1e-2, "{what}");
+            // Steady sliding climbs by the angle of friction.
+            assert!(
+                (climbs - friction.atan().to_degrees()).abs() < 1e-2,
+                "{what}"
+            );
+            assert!((swing / amplitude - 1.0).abs() < 2e-2, "{what}");
+            assert!((lying.swing_frequency - swings).abs() < 0.025, "{what}");
+        }
+        // Rolling all the way round: R Ω/(c + δ), the depth that of its forces.
+        for (rpm, friction, rate, within) in [(120.0, 0.8, 3.64, 0.02), (180.0, 1.0, 5.3, 0.15)] {
+            let found = measured(&simulator, &turning(rpm, friction, 20.0));
+            assert_eq!(found.regime, LateralRegime::BackwardWhirl);
+            let turns = -found.precession_rate / TAU;
+            assert!((turns - rate).abs() < within, "{method:?}: {turns}");
+        }
+    }
+}
+
+/// The largest swing of all sites in the last 5 of 40 s, where it is that of the middle.
+#[test]
+fn val_unbalance_makes_a_string_snake_at_its_swinging_frequency() {
+    let simulator = simulator(&Method::Quadrature, 2000.0, 40.0);
+    for (rpm, amplitude, regime) in [
+        (60.0, 0.1534, LateralRegime::LowSide),
+        (80.0, 0.5030, LateralRegime::LowSide),
+        (88.0, 1.1663, LateralRegime::Snaking),
+        (92.0, 1.9944, LateralRegime::Snaking),
+        (94.0, 1.7580, LateralRegime::Snaking),
+        (120.0, 1.3650, LateralRegime::Snaking),
+    ] {
+        let found = measured(&simulator, &unbalanced(rpm));
+        let lying = low_side_of(&found);
+        assert_eq!(found.regime, regime, "{rpm} {lying:?}");
+        let swing = lying.swing_amplitude.to_degrees();
+        assert!((swing / amplitude - 1.0).abs() < 1e-2, "{rpm}: {swing}");
+        assert!((60.0 * lying.swing_frequency - rpm).abs() < 0.05);
+    }
+}
+
+/// The whole string at a speed (m/s) sideways, where it climbs.
+#[test]
+fn val_a_knock_decides_whether_it_goes_round() {
+    let simulator = simulator(&Method::Quadrature, 2000.0, 20.0);
+    // Steel, and mud in it and around it.
+    let mass_per_metre = 324.736_985;
+    for (rpm, friction, speed, regime) in [
+        (120.0, 0.3, 0.5, LateralRegime::LowSide),
+        (120.0, 0.3, 1.0, LateralRegime::BackwardWhirl),
+        (120.0, 0.6, 0.5, LateralRegime::BackwardWhirl),
+        (180.0, 0.1, 2.0, LateralRegime::BackwardWhirl),
+        (60.0, 0.3, 1.0, LateralRegime::LowSide),
+    ] {
+        let mut scene = turning(rpm, friction, 20.0);
+        let knock = |site| Impulse {
+            site,
+            amount: mass_per_metre * LENGTH / 9.0 * speed,
+            start: 0.0,
+            duration: 0.02,
+            direction: 0.5 * PI,
+        };
+        scene.lateral.as_mut().unwrap().impulses = (0..9).map(knock).collect();
+        let found = measured(&simulator, &scene);
+        assert_eq!(found.regime, regime, "{rpm} {friction} {speed}");
+    }
+}
+
+/// A wall, or a string at rest, that is not that of the sites.
+#[test]
+fn a_string_at_rest_elsewhere_is_refused() {
+    let simulator = simulator(&Method::Quadrature, 500.0, 1.0);
+    let mut scene = turning(60.0, 0.1, 1.0);
+    let lateral = scene.lateral.as_mut().unwrap();
+    lateral.lying.as_mut().unwrap().forces.pop();
+    let refused = simulator.simulate(&scene, Stopping::Early, None);
+    let error = refused.unwrap_err().to_string();
+    assert!(error.contains("8 places, but there are 9 walls"), "{error}");
+}
