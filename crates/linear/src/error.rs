@@ -164,6 +164,20 @@ pub enum DrillstringError {
         /// Length of the string, m.
         length: f64,
     },
+    /// Springs are not those of the sites.
+    #[error("there are {found} springs, but {sites} sites")]
+    NotASpringForEachSite {
+        /// How many there are.
+        found: usize,
+        /// How many sites there are.
+        sites: usize,
+    },
+    /// A spring is no spring.
+    #[error("the stiffness of a spring is {value} N/m, but must be zero or a positive number")]
+    Spring {
+        /// N/m.
+        value: f64,
+    },
     /// Two sites are at one place.
     #[error("two sites are {distance} m from the bit")]
     SitesCoincide {

@@ -21,6 +21,8 @@ use crate::error::DrillstringError;
 pub struct Sites {
     /// Distances from the bit, m, strictly decreasing.
     distances_from_bit: Vec<f64>,
+    /// Stiffness of a spring sideways at each, N/m; empty where there are none.
+    springs: Vec<f64>,
 }
 
 impl Sites {
@@ -41,6 +43,7 @@ impl Sites {
         }
         let sites = Self {
             distances_from_bit: sorted,
+            springs: Vec::new(),
         };
         sites.check(string)?;
         Ok(sites)
@@ -70,7 +73,31 @@ impl Sites {
     pub fn bit() -> Self {
         Self {
             distances_from_bit: vec![0.0],
+            springs: Vec::new(),
         }
+    }
+
+    /// The same sites, each held sideways by a spring (N/m). A string that buckles between the walls
+    /// that hold it has no responses that fade; with springs it has, and a law that takes them back,
+    /// F + k u in place of F, leaves the string as it is.
+    ///
+    /// # Errors
+    /// Where there is no such spring, or not one for each site.
+    pub fn held_by(self, springs: Vec<f64>) -> Result<Self, DrillstringError> {
+        let (found, sites) = (springs.len(), self.len());
+        if found != sites {
+            return Err(DrillstringError::NotASpringForEachSite { found, sites });
+        }
+        let is_spring = |it: &&f64| it.is_finite() && **it >= 0.0;
+        if let Some(&value) = springs.iter().find(|it| !is_spring(it)) {
+            return Err(DrillstringError::Spring { value });
+        }
+        Ok(Self { springs, ..self })
+    }
+
+    /// Stiffness of the spring at each site, N/m; nothing where there are none.
+    pub fn springs(&self) -> &[f64] {
+        &self.springs
     }
 
     /// Number of sites, at least one.

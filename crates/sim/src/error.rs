@@ -59,6 +59,15 @@ pub enum SimulationError {
     /// A string with a motor has walls: what touches them below the motor turns faster than the string.
     #[error("a string with a motor has no walls")]
     WallsWithMotor,
+    /// A spring that holds a site of the linear string is too stiff to be taken back within a step.
+    #[error(
+        "the spring at site {site} is too stiff to be taken back within a step; a higher sampling \
+         frequency lets it"
+    )]
+    SpringTooStiff {
+        /// The site.
+        site: usize,
+    },
     /// The scene has walls, but the responses no bending.
     #[error("the scene has walls, but the responses were built without bending")]
     NoForceInput,

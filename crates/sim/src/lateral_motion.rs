@@ -8,6 +8,10 @@ use crate::port::LateralLine;
 use crate::scene::Lateral;
 use crate::system::System;
 
+/// A spring is taken back within a step only if it moves the site by less than this part of what it
+/// does itself.
+const MOST_OF_SPRING: f64 = 0.5;
+
 /// The motion at the walls, in two planes.
 #[derive(Debug)]
 pub(crate) struct LateralMotion<'a, W> {
@@ -27,6 +31,9 @@ pub(crate) struct LateralMotion<'a, W> {
     external: Vec<f64>,
     free_positions: Vec<f64>,
     step_forces: Vec<f64>,
+    /// Springs at the walls that the linear string has and the case has not, N/m, which are taken
+    /// back from what acts on it; nothing where there are none.
+    springs: &'a [f64],
     /// Of a string that lies in its hole: the forces of its walls at rest, and where it would be
     /// at rest without what they do within a step; x of all walls and then y. Else nothing.
     resting_forces: Vec<f64>,
@@ -48,8 +55,23 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         if walls != sites {
             return Err(SimulationError::NotAWallForEachSite { walls, sites });
         }
+        let springs = system.springs.as_slice();
+        let too_stiff = (springs.iter().enumerate())
+            .find(|(site, spring)| channel.instant(*site, *site) * *spring > MOST_OF_SPRING);
+        if let Some((site, _)) = too_stiff {
+            return Err(SimulationError::SpringTooStiff { site });
+        }
         let lying = scene.lying.as_ref();
-        let resting_forces = lying.map_or_else(Vec::new, |it| by_axis(&it.forces));
+        let resting_forces = lying.map_or_else(Vec::new, |it| {
+            let forces = by_axis(&it.forces);
+            let places = by_axis(&it.positions);
+            let springs = springs.iter().copied().chain(std::iter::repeat(0.0));
+            let springs = springs.take(sites).collect::<Vec<f64>>().repeat(2);
+            let acting = forces.iter().zip(places).zip(springs);
+            acting
+                .map(|((force, place), spring)| force + spring * place)
+                .collect()
+        });
         let resting_positions = lying.map_or_else(Vec::new, |it| {
             let mut positions = by_axis(&it.positions);
             let planes = positions.chunks_exact_mut(sites);
@@ -74,6 +96,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             external: vec![0.0; 2 * sites],
             free_positions: vec![0.0; 2 * sites],
             step_forces: vec![0.0; 2 * sites],
+            springs,
             resting_forces,
             resting_positions,
         })
@@ -142,14 +165,28 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         Some((wall, &self.scene.walls[wall]))
     }
 
-    /// The load line at a wall that would be at a position without its own load.
+    /// The spring at a wall that is taken back, N/m, where there are any.
+    #[inline]
+    pub(crate) fn spring(&self, site: usize) -> Option<f64> {
+        self.springs.get(site).copied()
+    }
+
+    /// The load line at a wall that would be at a position without its own load. Where a spring is
+    /// taken back, u = p + A (F + k u) leaves u = (p + A F)/(1 − A k).
     #[inline]
     pub(crate) fn line(&self, site: usize, free_position: [f64; 2]) -> LateralLine {
+        let mut compliance = self.channel.instant(site, site);
+        let mut free_position = free_position;
+        if !self.springs.is_empty() {
+            let give = 1.0 - compliance * self.springs[site];
+            free_position = free_position.map(|it| it / give);
+            compliance /= give;
+        }
         LateralLine {
             free_position,
             previous_position: self.positions[site],
             previous_sliding_speed: self.sliding_speeds[site],
-            compliance: self.channel.instant(site, site),
+            compliance,
             sampling: self.system.sampling,
         }
     }
@@ -162,6 +199,9 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             for axis in 0..2 {
                 let place = axis * sites + site;
                 self.step_forces[place] = self.external[place] + contact.force[axis];
+                if let Some(spring) = self.springs.get(site) {
+                    self.step_forces[place] += spring * contact.position[axis];
+                }
             }
             self.positions[site] = sampling.end_of_step(contact.position, self.positions[site]);
             self.sliding_speeds[site] = contact.touches().then_some(contact.sliding_speed);

@@ -426,8 +426,12 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                         SimulationError::of_contact(error, system.torsion.loaded()[port], time)
                     })?;
                     let mut solved = torque.solved(&turn, &contact);
-                    if solved.load == Load::default() && torque.is_free() {
-                        solved.slack = lateral_line.slack(wall.clearance());
+                    match lateral.spring(at) {
+                        Some(spring) => solved.take_back(spring, contact.position),
+                        None if solved.load == Load::default() && torque.is_free() => {
+                            solved.slack = lateral_line.slack(wall.clearance());
+                        }
+                        None => {}
                     }
                     now.contacts[at] = contact;
                     (turn, solved)

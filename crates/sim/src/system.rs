@@ -28,6 +28,8 @@ pub struct System {
     pub(crate) from_forces: Option<Bending>,
     /// The ports that may have walls.
     pub(crate) walls: WallPorts,
+    /// Springs that hold the linear string at each of these, N/m; nothing where there are none.
+    pub(crate) springs: Vec<f64>,
     /// Axial motion of the bit, where it is modelled.
     pub(crate) axial: Option<AxialLines>,
     /// What turns the bit against the string's end.
@@ -81,6 +83,7 @@ impl System {
             axial: None,
             motor: None,
             from_forces: bending.map(|bending| Channel::of_taps(&bending.from_loads)),
+            springs: bending.map_or_else(Vec::new, |_| responses.sites.springs().to_vec()),
             torsion: TorsionLine::Whole(whole),
         })
     }
@@ -114,6 +117,8 @@ impl System {
             torsion: TorsionLine::Whole(whole),
             from_forces: Some(Channel::of_mesh(string.bending())),
             walls: WallPorts::new((0..sites).collect(), sites),
+            // Elements that are stepped need none.
+            springs: Vec::new(),
             axial: None,
             motor: None,
         })
@@ -138,6 +143,7 @@ impl System {
             torsion: TorsionLine::Pieces(Pieces::new(cascade, profile, rotor_inertia)?),
             from_forces: None,
             walls: WallPorts::new(Vec::new(), cascade.nodes.len()),
+            springs: Vec::new(),
             axial: None,
             motor: None,
         })
@@ -168,6 +174,7 @@ impl System {
         Ok(Self {
             walls: WallPorts::new(walls.ok_or(SimulationError::UnlikeChannels)?, ports.len()),
             from_forces: Some(Channel::of_taps(&bending.driving_points())),
+            springs: responses.sites.springs().to_vec(),
             ..self
         })
     }

@@ -103,10 +103,10 @@ fn alone<T: Number>(stiffness: Block<T>) -> BeamStiffness<T> {
 
 /// Displacement at each of a number of sites (row) per unit force at each (column), m/N: D⁽ᵇ⁾
 /// of Eq. 57. From the surface down, each piece ends at a node, of which the first `sites`
-/// are sites; `None` where there is nothing.
+/// are sites, held by springs (N/m) or by none; `None` where there is nothing.
 pub fn reduce<T: Number>(
     mut pieces: impl Iterator<Item = Option<Beam<T>>>,
-    sites: usize,
+    (sites, springs): (usize, &[f64]),
     support: SurfaceSupport,
 ) -> ResponseMatrix<T> {
     let uppermost = pieces.next().flatten();
@@ -114,7 +114,11 @@ pub fn reduce<T: Number>(
         hanging_from(support, &piece.between_ends())
     });
     let pieces: Vec<_> = pieces.collect();
-    let nodes = Nodes::new(above, &pieces);
+    let zero = T::zero();
+    let nodes = Nodes::held(above, &pieces, |node| {
+        let spring = springs.get(node).map_or(zero, |spring| T::real(*spring));
+        Block([[spring, zero], [zero, zero]])
+    });
     ResponseMatrix::reciprocal(sites, |site| {
         nodes
             .moved_by_load(site)
@@ -255,7 +259,7 @@ mod tests {
                 (3, vec![5, 20, 1, 3]),
             ] {
                 let pieces: Vec<Beam> = cells.iter().map(|&cells| piece(cells)).collect();
-                let found = reduce(pieces.iter().copied().map(Some), sites, support);
+                let found = reduce(pieces.iter().copied().map(Some), (sites, &[]), support);
                 let expected = by_elimination(&pieces, sites, support);
                 for row in 0..sites {
                     for column in 0..sites {

@@ -99,16 +99,23 @@ pub struct Nodes<K> {
 impl<K: Relation> Nodes<K> {
     /// A node that `above` holds, and those below it, each hanging from the last.
     pub fn new(above: K, links: &[impl StiffnessBetween<K>]) -> Self {
+        Self::held(above, links, |_| K::zero())
+    }
+
+    /// The same where something else holds each node with a stiffness.
+    pub fn held(above: K, links: &[impl StiffnessBetween<K>], by: impl Fn(usize) -> K) -> Self {
         let mut carried = vec![K::zero(); links.len() + 1];
         let mut below = vec![K::zero(); links.len() + 1];
         for (node, link) in links.iter().enumerate().rev() {
-            carried[node + 1] = link.carried(below[node + 1]);
-            below[node] = link.above(below[node + 1]);
+            // What is below a node, and what holds it.
+            let met = below[node + 1] + by(node + 1);
+            carried[node + 1] = link.carried(met);
+            below[node] = link.above(met);
         }
-        let mut above = above;
+        let mut above = above + by(0);
         let mut own = vec![(above + below[0]).inverse()];
-        for (link, below) in links.iter().zip(&below[1..]) {
-            above = link.below(above);
+        for (node, (link, below)) in links.iter().zip(&below[1..]).enumerate() {
+            above = link.below(above) + by(node + 1);
             own.push((above + *below).inverse());
         }
         Self { own, carried }

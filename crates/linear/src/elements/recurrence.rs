@@ -64,6 +64,8 @@ pub(crate) struct ElementChain<'a> {
     string: &'a Drillstring,
     spans: Vec<SurroundedSpan>,
     sites: usize,
+    /// What holds each site sideways, N/m; nothing where nothing does.
+    springs: Vec<f64>,
     longest: f64,
     weights: Weights,
     loss: LossAlong<Fit>,
@@ -89,6 +91,7 @@ impl<'a> ElementChain<'a> {
             loss: LossAlong::fitted(string, channel, tubes(&spans)),
             spans,
             sites: sites.len(),
+            springs: sites.springs().to_vec(),
             longest,
             weights,
         })
@@ -111,7 +114,8 @@ impl<'a> ElementChain<'a> {
             let element = beam_element(&bending.under(around.tension), &element, mass, rates, loss);
             Beam::of(element).repeated(count)
         };
-        bending::reduce(chain::hanging(&self.spans, tube), self.sites, support)
+        let sites = (self.sites, self.springs.as_slice());
+        bending::reduce(chain::hanging(&self.spans, tube), sites, support)
     }
 }
 

@@ -178,7 +178,14 @@ impl<'a> BendingPlan<'a> {
         let depth = |site: usize| (length - distances[site]) / length;
         let (a, b) = (depth(pair / distances.len()), depth(pair % distances.len()));
         let turns = self.bending.compression == 0.0 && self.string.axial_force().is_empty();
+        let springs = self.request.sites.springs().iter();
+        let held: Vec<usize> = springs
+            .enumerate()
+            .filter_map(|(site, spring)| (*spring > 0.0).then_some(site))
+            .collect();
         let shape = match self.support {
+            SurfaceSupport::Free if turns && held.len() == 1 => about(depth(held[0]), a, b),
+            _ if !held.is_empty() => 0.0,
             SurfaceSupport::Free if turns => 1.0 + 12.0 * (a - 0.5) * (b - 0.5),
             SurfaceSupport::Free => 1.0,
             SurfaceSupport::Pinned if turns => 3.0 * a * b,
@@ -208,6 +215,13 @@ impl<'a> BendingPlan<'a> {
             &receptance,
         ))
     }
+}
+
+/// What a rod that turns about one place makes of a force, as against one that is pushed aside:
+/// places in parts of its length.
+fn about(pivot: f64, a: f64, b: f64) -> f64 {
+    let square = ((1.0 - pivot).powi(3) + pivot.powi(3)) / 3.0;
+    (a - pivot) * (b - pivot) / square
 }
 
 /// Length of the transform behind a filter, which is twice as long as the simulation.

@@ -42,6 +42,8 @@ pub struct BendingNetwork<'a> {
     support: SurfaceSupport,
     spans: Vec<SurroundedSpan>,
     sites: usize,
+    /// What holds each site sideways, N/m; nothing where nothing does.
+    springs: Vec<f64>,
     loss: LossAlong<Interpolated>,
 }
 
@@ -66,6 +68,7 @@ impl<'a> BendingNetwork<'a> {
             loss: LossAlong::exact(string, Channel::Bending, &spans),
             spans,
             sites: sites.len(),
+            springs: sites.springs().to_vec(),
         })
     }
 
@@ -82,6 +85,7 @@ impl<'a> BendingNetwork<'a> {
         let mut below = Self::new(string, bending, SurfaceSupport::Pinned, sites)?;
         below.spans.remove(0);
         below.sites -= 1;
+        below.springs = below.springs.split_off(1.min(below.springs.len()));
         Ok(below)
     }
 
@@ -121,6 +125,69 @@ impl<'a> BendingNetwork<'a> {
             endless(&bending, tube, resistance)
                 .unwrap_or_else(|| uniform(&bending, tube, resistance))
         };
-        reduce(hanging(&self.spans, tube), self.sites, self.support)
+        reduce(
+            hanging(&self.spans, tube),
+            (self.sites, &self.springs),
+            self.support,
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use numerics::{Mat, equations};
+
+    use super::*;
+    use crate::validation::academic;
+
+    /// Springs K on receptances D without them leave (1 + D K)⁻¹ D.
+    #[test]
+    fn sites_held_by_springs_answer_as_those_without_and_springs_do() {
+        let string = academic::string();
+        let bending = Bending {
+            youngs_modulus: 210e9,
+            damping: 200.0,
+            compression: 5e4,
+        };
+        let sites = Sites::new(&string, &[120.0, 33.0, 0.0]).unwrap();
+        let springs = [2e4, 0.0, 3e5];
+        let held = sites.clone().held_by(springs.to_vec()).unwrap();
+        for support in [
+            SurfaceSupport::Free,
+            SurfaceSupport::Pinned,
+            SurfaceSupport::Clamped,
+        ] {
+            let network =
+                |sites: &Sites| BendingNetwork::new(&string, bending, support, sites).unwrap();
+            for rate in [0.3, 5.0, 90.0] {
+                let s = Complex64::new(1.0, rate);
+                let (found, free) = (network(&held).receptance(s), network(&sites).receptance(s));
+                let left = Mat::from_fn(3, 3, |row, column| {
+                    let own = if row == column { 1.0 } else { 0.0 };
+                    free[(row, column)] * springs[column] + own
+                });
+                let right = Mat::from_fn(3, 3, |row, column| free[(row, column)]);
+                let expected = equations::solve_complex(&left, &right);
+                for row in 0..3 {
+                    for column in 0..3 {
+                        let apart = found[(row, column)] - expected[(row, column)];
+                        let size = expected[(column, column)].norm();
+                        assert!(
+                            apart.norm() < 1e-9 * size,
+                            "{support:?} {rate} {row} {column}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn springs_of_other_sites_or_that_push_are_refused() {
+        let held = |springs: &[f64]| Sites::bit().held_by(springs.to_vec());
+        assert!(held(&[1e5]).is_ok());
+        for springs in [&[][..], &[1.0, 2.0], &[-1.0], &[f64::NAN], &[f64::INFINITY]] {
+            assert!(held(springs).is_err(), "{springs:?}");
+        }
     }
 }

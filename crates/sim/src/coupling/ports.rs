@@ -77,6 +77,17 @@ pub(crate) struct Solved {
     pub(crate) fall: Option<f64>,
 }
 
+impl Solved {
+    /// Adds to its load what takes back a spring (N/m) that holds the linear string at a position.
+    #[inline]
+    pub(crate) fn take_back(&mut self, spring: f64, position: [f64; 2]) {
+        for (force, position) in self.load.force.iter_mut().zip(position) {
+            *force += spring * position;
+            self.normal_force = self.normal_force.max(force.abs());
+        }
+    }
+}
+
 /// The load at a port that a load at another is worth. A port gives way by its own response,
 /// or turns by it.
 #[derive(Debug, Clone, Copy)]

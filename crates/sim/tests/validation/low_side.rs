@@ -54,6 +54,16 @@ fn string() -> Drillstring {
 
 /// A simulator of it with nine walls, for a time (s).
 fn simulator(method: &Method, sampling_frequency: f64, longest_time: f64) -> Simulator {
+    held_by(&[], method, sampling_frequency, longest_time)
+}
+
+/// The same whose linear string is held by springs (N/m), which are taken back.
+fn held_by(
+    springs: &[f64],
+    method: &Method,
+    sampling_frequency: f64,
+    longest_time: f64,
+) -> Simulator {
     let string = string();
     let sites: Vec<f64> = (0..9)
         .map(|site| (f64::from(site) + 0.5) * LENGTH / 9.0)
@@ -63,8 +73,12 @@ fn simulator(method: &Method, sampling_frequency: f64, longest_time: f64) -> Sim
         damping: 200.0,
         compression: 0.0,
     };
+    let mut places = Sites::new(&string, &sites).unwrap();
+    if !springs.is_empty() {
+        places = places.held_by(springs.to_vec()).unwrap();
+    }
     let request = Request {
-        sites: Sites::new(&string, &sites).unwrap(),
+        sites: places,
         channels: vec![
             ChannelRequest::Torsion {
                 torques: (0..9).collect(),
@@ -285,4 +299,53 @@ fn a_string_at_rest_elsewhere_is_refused() {
     let refused = simulator.simulate(&scene, Stopping::Early, None);
     let error = refused.unwrap_err().to_string();
     assert!(error.contains("8 places, but there are 9 walls"), "{error}");
+}
+
+/// The same string with any springs on its linear part: to rounding where a method's steps follow from
+/// its stiffness, and by the method's error otherwise.
+#[test]
+fn val_springs_that_are_taken_back_change_nothing() {
+    let springs = [3e4, 0.0, 1e5, 2e4, 5e5, 0.0, 7e3, 1e5, 4e4];
+    for (method, within) in [
+        (Method::Quadrature, 1e-8),
+        (Method::FiniteElement(FiniteElement::default()), 1e-8),
+        (Method::Held, 2e-3),
+    ] {
+        let one = simulator(&method, 2000.0, 4.0);
+        let other = held_by(&springs, &method, 2000.0, 4.0);
+        // At rest, and knocked so that it flies and lands.
+        for amount in [0.0, 500.0] {
+            let mut scene = turning(60.0, 0.3, 4.0);
+            let knock = |site| Impulse {
+                site,
+                amount,
+                start: 0.1,
+                duration: 0.05,
+                direction: 0.3,
+            };
+            scene.lateral.as_mut().unwrap().impulses = (0..9).map(knock).collect();
+            let [one, other] = [&one, &other].map(|simulator| {
+                let mut motion = Trajectory::default();
+                simulator
+                    .simulate(&scene, Stopping::Full, Some(&mut motion))
+                    .unwrap();
+                motion.positions
+            });
+            let early = (0.4 * 2000.0) as usize;
+            let apart = one.iter().zip(&other).flat_map(|(one, other)| {
+                let steps = one.iter().zip(other).take(early);
+                steps.map(|([x, y], [u, v])| (x - u).hypot(y - v))
+            });
+            let most = apart.fold(0.0, f64::max);
+            assert!(most < within * CLEARANCE, "{method:?} {amount}: {most}");
+        }
+    }
+}
+
+#[test]
+fn a_spring_that_a_step_cannot_take_back_is_refused() {
+    let simulator = held_by(&[1e9; 9], &Method::Quadrature, 500.0, 1.0);
+    let refused = simulator.simulate(&turning(60.0, 0.1, 1.0), Stopping::Early, None);
+    let error = refused.unwrap_err().to_string();
+    assert!(error.contains("too stiff to be taken back"), "{error}");
 }
