@@ -152,6 +152,15 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         }
     }
 
+    /// The torques of the walls on a string that slides at the beginning, N m, with their ports.
+    pub(crate) fn resting_torques(&self) -> impl Iterator<Item = (usize, f64)> + use<'_, 'a, W> {
+        let torques = self.scene.lying.iter().flat_map(|lying| &lying.torques);
+        let ports = self.walls.ports().iter().copied();
+        ports
+            .zip(torques.copied())
+            .filter(|(_, torque)| *torque != 0.0)
+    }
+
     /// Where the walls would be without contact, x of all and then y, m.
     #[inline]
     pub(crate) fn free_positions(&self) -> &[f64] {

@@ -6,7 +6,9 @@
 //! u(k) = u_s + Σ A(k − n) (F(n) − F_s) .
 //! ```
 //!
-//! The laws of the walls are met by all of F, so that nothing moves that is not pushed.
+//! The laws of the walls are met by all of F, so that nothing moves that is not pushed. It may also
+//! turn steadily there, sliding on its walls, whose friction then tilts their forces and holds it
+//! back: what turns it is by how much these torques differ.
 //!
 //! A string at rest on two rigid walls, which bear 300 N each:
 //!
@@ -16,6 +18,7 @@
 //! let lying = Lying {
 //!     positions: vec![[-0.02, 0.0]; 2],
 //!     forces: vec![[300.0, 0.0]; 2],
+//!     torques: vec![0.0; 2],
 //!     low_side: vec![std::f64::consts::PI; 2],
 //! };
 //! assert_eq!(lying.forces.len(), 2);
@@ -30,6 +33,9 @@ pub struct Lying {
     pub positions: Vec<[f64; 2]>,
     /// The force of the wall on it there, N: what its law gives at that position.
     pub forces: Vec<[f64; 2]>,
+    /// The torque of the wall's friction on it there, N m; zero of a string that does not turn, or
+    /// that friction meets as the case begins.
+    pub torques: Vec<f64>,
     /// The direction in which its weight pulls, rad from the x axis.
     pub low_side: Vec<f64>,
 }
@@ -46,6 +52,9 @@ impl Lying {
         }
         for force in self.forces.iter().flatten() {
             finite("force of a wall on a string at rest in N", *force)?;
+        }
+        for torque in &self.torques {
+            finite("torque of a wall on a string that slides in N m", *torque)?;
         }
         let mut directions = self.low_side.iter();
         directions.try_for_each(|it| finite("direction of the low side in rad", *it))

@@ -43,6 +43,9 @@ pub enum SceneError {
         /// How many there are.
         walls: usize,
     },
+    /// A string that begins at rest is held back by friction.
+    #[error("a string that begins at rest slides on no wall: its torques there must be zero")]
+    SlidesAtRest,
     /// A law gives the torque on a bit that cuts.
     #[error("a bit that cuts has no other law of its torque")]
     TwoLawsOfTheBit,

@@ -137,7 +137,13 @@ impl<B: TorqueLaw, W: WallLaw> Scene<B, W> {
             return Ok(());
         };
         lateral.walls.iter().try_for_each(WallLaw::check)?;
-        lateral.lying.iter().try_for_each(|it| it.check(walls))?;
+        if let Some(lying) = &lateral.lying {
+            lying.check(walls)?;
+            let slides = lying.torques.iter().any(|torque| *torque != 0.0);
+            if slides && self.start == Start::Rest {
+                return Err(SceneError::SlidesAtRest);
+            }
+        }
         for impulse in &lateral.impulses {
             known_site("an impulse", impulse.site, walls)?;
             finite("amount of an impulse in N s", impulse.amount)?;

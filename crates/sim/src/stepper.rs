@@ -280,6 +280,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         }
         if let Some(lateral) = &mut self.lateral {
             lateral.find_free_motion(self.now.time, &self.now.speeds);
+            for (port, torque) in lateral.resting_torques() {
+                self.within.turn_by(port, -torque, &mut self.free);
+            }
         }
         self.find_axial_motion();
     }
@@ -295,14 +298,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         if kick == 0.0 {
             return;
         }
-        match self.within {
-            Within::All(torsion) => {
-                for (index, free) in self.free.iter_mut().enumerate() {
-                    *free += torsion.instant(index, *port) * kick;
-                }
-            }
-            Within::Chain(_) => self.free[*port] += kick,
-        }
+        self.within.turn_by(*port, kick, &mut self.free);
     }
 
     /// The motion that the scene began with, without the torque that holds or brakes the bit in it.
@@ -466,6 +462,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         if let Some(port) = self.bit_port() {
             let kick = (self.axial.as_ref()).map_or(0.0, |(axial, _)| axial.kick());
             self.step_torques[port] += kick - self.held;
+        }
+        for (port, torque) in self.lateral.iter().flat_map(LateralMotion::resting_torques) {
+            self.step_torques[port] -= torque;
         }
         if let (Some((axial, _)), Some(cut)) = (&mut self.axial, &self.now.cut) {
             axial.end_step(cut);

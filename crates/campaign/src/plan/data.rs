@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use linear::well::Survey;
+use linear::well::{Station, Survey};
 use serde::Serialize;
 use sim::Recording;
 
 use super::compare::{self, Comparison};
 use crate::design::Design;
-use crate::quantities::Axis;
+use crate::quantities::{Axis, LONGEST_STRING};
 use crate::sweep_file::{
     AutoOr, FileContent, Source, SurveyNotes, SweepFileError, TextOf, read_series, read_survey,
 };
@@ -50,6 +50,7 @@ impl Data {
             .map(|file| read_survey(source, "well.survey", file, text_of))
             .transpose()?;
         let (survey, of_survey) = survey.unzip();
+        let survey = survey.or(inclined(source, content)?);
         let SurveyNotes { doubts, mut notes } = of_survey.unwrap_or_default();
         let (key, column) = (
             "surface_speed_file",
@@ -102,6 +103,29 @@ impl Data {
         let is_there = survey.is_some() || !recorded.is_empty();
         is_there.then_some(Meaning { survey, recorded })
     }
+}
+
+/// The course of a well that is said to be straight and inclined.
+fn inclined(source: &Source, content: &FileContent) -> Result<Option<Survey>, SweepFileError> {
+    let key = "well.inclination_deg";
+    let Some(well) = &content.well else {
+        return Ok(None);
+    };
+    let Some(inclination) = well.inclination_deg else {
+        return Ok(None);
+    };
+    let message = "conflicts with `well.survey`: give only one";
+    source.refuse_if(well.survey.is_some(), key, message)?;
+    let inclination = source
+        .within(key, inclination, 0.0, 90.0, "deg")?
+        .to_radians();
+    let station = |measured_depth| Station {
+        measured_depth,
+        inclination,
+        azimuth: 0.0,
+    };
+    let survey = Survey::new(vec![station(0.0), station(LONGEST_STRING)]);
+    Ok(Some(source.checked(key, survey)?))
 }
 
 /// A recording takes the place of all else that says how the surface turns, and lasts as long as

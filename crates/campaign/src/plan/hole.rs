@@ -111,6 +111,8 @@ pub fn idle_tables(content: &FileContent, design: &Design) -> Vec<String> {
     let hangs = content.axial_force.is_some();
     let well = content.well.as_ref();
     let has_survey = well.is_some_and(|well| well.survey.is_some());
+    let is_inclined = well.is_some_and(|well| well.inclination_deg.is_some());
+    let lies = content.lies_on_low_side();
     let has_hole = well.is_some_and(|well| well.hole_radius_m.is_some() || !well.holes.is_empty());
     let is_viscous = mud_is_viscous(content, design);
     let moves_mud = content.mud.is_some() && bends || is_viscous;
@@ -120,8 +122,14 @@ pub fn idle_tables(content: &FileContent, design: &Design) -> Vec<String> {
             "[mud] has no effect without a viscosity, [wall] or [string_friction]",
         ),
         (
-            has_survey && !rubs && !hangs,
-            "`well.survey` has no effect without [string_friction] or [axial_force]",
+            has_survey && !rubs && !hangs && !lies,
+            "`well.survey` has no effect without [string_friction], [axial_force] or a [wall] that \
+             the string lies on",
+        ),
+        (
+            is_inclined && !rubs && !hangs && !lies,
+            "`well.inclination_deg` has no effect without [string_friction], [axial_force] or a \
+             [wall] that the string lies on",
         ),
         (
             has_hole && !moves_mud && !content.clearance_is_of_hole(),

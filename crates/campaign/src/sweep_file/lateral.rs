@@ -73,6 +73,10 @@ pub struct WallTable {
     /// exp(−(v/v_s)²). Left out it is 0: friction falls with the first slip.
     #[schemars(range(min = 0.0, max = 100.0))]
     pub friction_stribeck_m_s: Option<f64>,
+    /// Whether a string in a well that `[well]` says to be inclined lies on the low side of its hole
+    /// under its weight; with `false` it hangs in the middle, as in a vertical well.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lies_on_low_side: Option<bool>,
     /// At which places the wall may be touched.
     #[schemars(!skip_serializing_if)]
     #[serde(skip_serializing_if = "is_default")]

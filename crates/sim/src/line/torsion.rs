@@ -106,6 +106,20 @@ impl Within<'_> {
             Self::Chain(chain) => 1.0 / chain.own[port],
         }
     }
+
+    /// Adds what a torque (N m) on a port does within a step to how all ports turn freely: their
+    /// speeds, rad/s, or, where they are in a row, the torques that drive them, N m.
+    #[inline]
+    pub(crate) fn turn_by(&self, port: usize, torque: f64, free: &mut [f64]) {
+        match self {
+            Self::All(torsion) => {
+                for (index, free) in free.iter_mut().enumerate() {
+                    *free += torsion.instant(index, port) * torque;
+                }
+            }
+            Self::Chain(_) => free[port] += torque,
+        }
+    }
 }
 
 impl TorsionPast<'_> {

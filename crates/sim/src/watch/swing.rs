@@ -158,6 +158,7 @@ mod tests {
         let lying = Lying {
             positions: vec![place(0.0)],
             forces: vec![[0.0; 2]],
+            torques: vec![0.0],
             low_side: vec![low],
         };
         let (steps, closing_from) = (10_000, 7500);

@@ -101,6 +101,7 @@ fn lying() -> Lying {
     Lying {
         positions: forces.clone().map(position).collect(),
         forces: forces.map(|force| [force, 0.0]).collect(),
+        torques: vec![0.0; 9],
         low_side: vec![PI; 9],
     }
 }
@@ -198,6 +199,63 @@ fn val_a_string_that_lies_does_not_move_until_it_is_pushed() {
             }
         }
     }
+}
+
+/// A rod that slides steadily climbs by the angle of friction everywhere, N falling as
+/// 1/√(1 + μ²).
+#[test]
+fn val_steady_sliding_goes_on_as_it_began() {
+    let friction: f64 = 0.3;
+    for method in [
+        Method::Held,
+        Method::Quadrature,
+        Method::FiniteElement(FiniteElement::default()),
+    ] {
+        let simulator = simulator(&method, 1000.0, 5.0);
+        let mut scene = turning(90.0, friction, 5.0);
+        let lying = scene.lateral.as_mut().unwrap().lying.as_mut().unwrap();
+        let [cos, sin] = [1.0, friction].map(|it| it / (1.0 + friction * friction).sqrt());
+        for site in 0..9 {
+            let normal = lying.forces[site][0] * cos;
+            let radius = CLEARANCE + (normal / STIFFNESS).powf(2.0 / 3.0);
+            lying.positions[site] = [-radius * cos, radius * sin];
+            let along = friction * normal;
+            lying.forces[site] = [normal * cos + along * sin, along * cos - normal * sin];
+            lying.torques[site] = -0.1016 * along;
+        }
+        let began = lying.clone();
+        let mut motion = Trajectory::default();
+        simulator
+            .simulate(&scene, Stopping::Full, Some(&mut motion))
+            .unwrap();
+        for (site, place) in began.positions.iter().enumerate() {
+            for there in &motion.positions[site] {
+                let moved = (there[0] - place[0]).hypot(there[1] - place[1]);
+                assert!(moved < 1e-9, "{method:?} {site}: {moved}");
+            }
+            let speed = 90.0 * TAU / 60.0;
+            let mut speeds = motion.speeds[site].iter();
+            assert!(speeds.all(|it| (it - speed).abs() < 1e-9), "{method:?}");
+        }
+    }
+    let mut scene = turning(90.0, friction, 5.0);
+    scene.start = Start::Rest;
+    scene
+        .lateral
+        .as_mut()
+        .unwrap()
+        .lying
+        .as_mut()
+        .unwrap()
+        .torques[3] = -1.0;
+    let simulator = simulator(&Method::Quadrature, 500.0, 5.0);
+    let refused = simulator.simulate(&scene, Stopping::Early, None);
+    assert!(
+        refused
+            .unwrap_err()
+            .to_string()
+            .contains("slides on no wall")
+    );
 }
 
 /// Greatest angle (deg), then in the last 5 of 20 s mean, amplitude (deg) and frequency (Hz), as
