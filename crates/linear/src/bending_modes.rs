@@ -44,6 +44,15 @@ const LEAST_WEIGHT: f64 = 100.0;
 /// It is known to this part of it.
 const SAME_WEIGHT: f64 = 1e-3;
 
+/// Springs that hold a string are looked for from this stiffness, N/m, on …
+const SOFTEST_SPRING: f64 = 10.0;
+
+/// … to this one, far stiffer than collars between two stabilisers are …
+const STIFFEST_SPRING: f64 = 1e9;
+
+/// … by this factor, and taken as much stiffer than the first that is enough.
+const FIRMLY: f64 = 4.0;
+
 /// The part of the largest stiffness of an element that rounding may leave to a string that moves
 /// as a rigid rod.
 const ROUNDING: f64 = 2e-14;
@@ -57,6 +66,9 @@ const SHORTEST: f64 = 0.002;
 pub struct BendingModes {
     elements: Vec<Element>,
     support: SurfaceSupport,
+    /// Springs sideways at the bottom of elements by their number, N/m; nothing where there are
+    /// none.
+    springs: Vec<(usize, f64)>,
     /// The square below which a frequency is that of a rigid motion, 1/s².
     nothing: f64,
 }
@@ -79,14 +91,36 @@ impl BendingModes {
         bending: &Bending,
         support: SurfaceSupport,
     ) -> Result<Self, BuildError> {
+        Self::held(string, bending, support, &Sites::bit())
+    }
+
+    /// The same of a string that springs hold at sites ([`Sites::held_by`]).
+    ///
+    /// # Errors
+    /// As [`BendingModes::new`], and where the sites are not the string's.
+    pub fn held(
+        string: &Drillstring,
+        bending: &Bending,
+        support: SurfaceSupport,
+        sites: &Sites,
+    ) -> Result<Self, BuildError> {
         bending.check()?;
-        let mesh = Mesh::new(string, Channel::Bending, &Sites::bit(), ELEMENTS_PER_CELL)?;
+        let mesh = Mesh::new(string, Channel::Bending, sites, ELEMENTS_PER_CELL)?;
         let longest = mesh.elements.iter().map(|tube| tube.length);
         let shortest = SHORTEST * longest.fold(0.0, f64::max);
-        let pieces = mesh.elements.iter().zip(&mesh.around);
-        let elements: Vec<Element> = pieces
-            .filter(|(tube, _)| tube.length >= shortest)
-            .map(|(tube, around)| Element {
+        let pieces = mesh.elements.iter().zip(&mesh.around).enumerate();
+        let kept: Vec<_> = pieces
+            .filter(|(_, (tube, _))| tube.length >= shortest)
+            .collect();
+        let held = mesh.site_nodes.iter().zip(sites.springs());
+        // The bottom of the last element that is kept down to a site.
+        let springs = held.map(|(&node, &spring)| {
+            let above = kept.partition_point(|(element, _)| *element < node);
+            (above.saturating_sub(1), spring)
+        });
+        let springs = springs.collect();
+        let elements: Vec<Element> = (kept.into_iter())
+            .map(|(_, (tube, around))| Element {
                 mass: mass_matrix(tube, string.mass_sideways(tube, around.hole_radius)),
                 stiffness: stiffness_matrix(tube, &bending.under(around.tension)),
             })
@@ -100,6 +134,7 @@ impl BendingModes {
             nothing: ROUNDING * stiffness.fold(0.0, f64::max) / mass,
             elements,
             support,
+            springs,
         })
     }
 
@@ -110,6 +145,7 @@ impl BendingModes {
         // What the string above makes of a node's displacement and slope.
         let mut above = [[0.0; 2]; 2];
         let mut negative = 0;
+        let mut springs = self.springs.iter().peekable();
         for (index, element) in self.elements.iter().enumerate() {
             let entry = |row: usize, column: usize| {
                 element.stiffness[row][column] - square * element.mass[row][column]
@@ -132,6 +168,9 @@ impl BendingModes {
             }
             negative += negative_eigenvalues(node);
             above = add(block(1, 1), less_by(node, across));
+            while let Some((_, spring)) = springs.next_if(|(at, _)| *at == index) {
+                above[0][0] += spring;
+            }
         }
         negative + negative_eigenvalues(above)
     }
@@ -203,6 +242,34 @@ pub fn buckling_weight(
     Ok(Some(0.5 * (low + high)))
 }
 
+/// The stiffness, N/m, of equal springs at sites that keep a string from buckling, if any do: a few
+/// times what is just enough. Zero where it needs none.
+///
+/// # Errors
+/// As [`BendingModes::held`].
+pub fn holding_spring(
+    string: &Drillstring,
+    bending: &Bending,
+    support: SurfaceSupport,
+    sites: &Sites,
+) -> Result<Option<f64>, BuildError> {
+    let is_buckled = |spring: f64| -> Result<bool, BuildError> {
+        let sites = sites.clone().held_by(vec![spring; sites.len()])?;
+        Ok(BendingModes::held(string, bending, support, &sites)?.is_buckled())
+    };
+    if !is_buckled(0.0)? {
+        return Ok(Some(0.0));
+    }
+    let mut spring = SOFTEST_SPRING;
+    while spring <= STIFFEST_SPRING {
+        if !is_buckled(spring)? {
+            return Ok(Some(FIRMLY * spring));
+        }
+        spring *= FIRMLY;
+    }
+    Ok(None)
+}
+
 fn add(one: [[f64; 2]; 2], other: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     [0, 1].map(|i| [0, 1].map(|j| one[i][j] + other[i][j]))
 }
@@ -228,4 +295,50 @@ fn less_by(node: [[f64; 2]; 2], across: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
             .sum()
     };
     [0, 1].map(|i| [0, 1].map(|j| -times(i, j)))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+    use crate::drillstring::{Material, Section, Tube};
+
+    /// A pinned column with a spring k in its middle buckles under 4π²EI/L² with a node there, if k
+    /// is 16π²EI/L³ or more (Timoshenko and Gere, *Theory of Elastic Stability*, 1961, art. 2.6).
+    #[test]
+    fn a_spring_in_the_middle_holds_a_column_to_its_second_mode() {
+        let steel = Material {
+            shear_modulus: 80e9,
+            density: 7840.0,
+        };
+        let tube = Tube {
+            length: 2.0,
+            inner_radius: 0.05,
+            outer_radius: 0.1,
+        };
+        let section = Section {
+            repeat: 10,
+            parts: vec![tube],
+        };
+        let string = Drillstring::new(steel, vec![section], 0.0).unwrap();
+        let rigidity = 210e9 * tube.second_moment();
+        let euler = PI * PI * rigidity / (20.0 * 20.0);
+        let least = 16.0 * PI * PI * rigidity / 20f64.powi(3);
+        let is_buckled = |load: f64, spring: f64| {
+            let bending = Bending {
+                youngs_modulus: 210e9,
+                damping: 0.0,
+                compression: load,
+            };
+            let sites = Sites::new(&string, &[10.0, 0.0]).unwrap();
+            let held = sites.held_by(vec![spring, 1e12]).unwrap();
+            let support = SurfaceSupport::Pinned;
+            let modes = BendingModes::held(&string, &bending, support, &held);
+            modes.unwrap().is_buckled()
+        };
+        assert!(!is_buckled(0.99 * euler, 0.0) && is_buckled(1.01 * euler, 0.0));
+        assert!(!is_buckled(3.99 * euler, 1.02 * least) && is_buckled(3.99 * euler, 0.97 * least));
+        assert!(is_buckled(4.01 * euler, 100.0 * least));
+    }
 }
