@@ -44,7 +44,8 @@ fn modules(folder: &Path, parent: &Path) -> usize {
 fn every_test_file_is_declared() {
     let manifest = text(&root().join("crates/sweep/Cargo.toml"));
     let mut seen = 0;
-    let of_crates = ["numerics", "linear", "sim"].map(|name| format!("crates/{name}/tests"));
+    let of_crates =
+        ["numerics", "linear", "sim", "statics"].map(|name| format!("crates/{name}/tests"));
     for tests in of_crates.iter().map(String::as_str).chain(["tests"]) {
         for program in within(&root().join(tests)) {
             let main = program.join("main.rs");

@@ -3,6 +3,7 @@
 pub mod academic;
 pub mod dashpots;
 pub mod delay_lines;
+pub mod field_assembly;
 pub mod masses;
 pub mod oracles;
 pub mod pipes;

@@ -34,4 +34,4 @@ pub use side_force::{PressedBy, SideForce};
 pub use survey::{Station, Survey, SurveyError};
 
 /// Acceleration of gravity, m/s².
-const GRAVITY: f64 = 9.806_65;
+pub const GRAVITY: f64 = 9.806_65;

@@ -127,6 +127,17 @@ impl Survey {
         (along, turn)
     }
 
+    /// The way down at a measured depth (m) of the survey: north, east, down.
+    pub fn direction(&self, depth: f64) -> [f64; 3] {
+        self.course(depth).0
+    }
+
+    /// How the way down turns per metre at a measured depth (m) of the survey, rad/m: north, east,
+    /// down. It is across the well, towards the inside of its bend.
+    pub fn curvature(&self, depth: f64) -> [f64; 3] {
+        self.course(depth).1
+    }
+
     /// How fast the well turns at a measured depth (m) of the survey, rad/m.
     pub fn turn_rate(&self, depth: f64) -> f64 {
         length(self.course(depth).1)

@@ -1,0 +1,85 @@
+//! What is around a string that lies in its hole, and how its ends are held.
+
+use linear::Mud;
+
+use crate::course::Course;
+
+/// What is around the string.
+///
+/// ```
+/// use statics::{Bit, Conditions, Course, Top};
+///
+/// let conditions = Conditions {
+///     weight_on_bit: 100e3,
+///     ..Conditions::new(210e9, Course::Straight { inclination: 1.0 })
+/// };
+/// assert_eq!((conditions.bit, conditions.top), (Bit::Contact, Top::Automatic));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Conditions {
+    /// Young's modulus E, Pa.
+    pub youngs_modulus: f64,
+    /// The course of the hole.
+    pub course: Course,
+    /// The mud, which buoys the string; the same inside and outside.
+    pub mud: Option<Mud>,
+    /// Weight on bit W, N.
+    pub weight_on_bit: f64,
+    /// Torque along the string, N m, for stress alone: its effect on bending is left out.
+    pub torque: f64,
+    /// What holds the bit sideways.
+    pub bit: Bit,
+    /// Where the modelled part of the string ends, held in the middle of the hole.
+    pub top: Top,
+    /// The longest element, m; left out, one with which forces are converged to 1e-6 of the largest.
+    pub longest_element: Option<f64>,
+}
+
+/// What holds the bit sideways; none holds its slope.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Bit {
+    /// The wall, as at the other contacts: one of them is 0 m from the bit.
+    #[default]
+    Contact,
+    /// What it cuts, in the middle of the hole.
+    Pinned,
+    /// Nothing.
+    Free,
+}
+
+/// Where the modelled part of the string ends.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Top {
+    /// At least 150 m above the bit, beyond the highest contact by half of its distance from the
+    /// next: an end close to a contact would lift it off.
+    #[default]
+    Automatic,
+    /// At a distance from the bit, m; contacts above are left out.
+    At(f64),
+    /// At the surface.
+    Surface,
+}
+
+impl Top {
+    /// The least distance from the bit, m, at which the string is cut by [`Top::Automatic`]: no
+    /// force of the seven lowest contacts of a field string changes by more than 1e-6 of itself if
+    /// it is cut higher up.
+    pub const LEAST: f64 = 150.0;
+}
+
+impl Conditions {
+    /// Those of a string of a Young's modulus (Pa) in a hole, off bottom, without mud or torque, its
+    /// bit in contact.
+    pub fn new(youngs_modulus: f64, course: Course) -> Self {
+        Self {
+            youngs_modulus,
+            course,
+            mud: None,
+            weight_on_bit: 0.0,
+            torque: 0.0,
+            bit: Bit::Contact,
+            top: Top::Automatic,
+            longest_element: None,
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! The static string against independent elements and an ODE solver, and against closed forms.
+
+mod closed_forms;
+mod field_case;
+mod random_wells;
+mod uniform_pipe;

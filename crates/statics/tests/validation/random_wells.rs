@@ -1,0 +1,129 @@
+//! Random strings in random wells that build and turn: what they lie on bears what weight and
+//! tension press them with, by axes that are carried along step by step.
+
+use linear::Drillstring;
+use linear::Mud;
+use linear::well::{GRAVITY, Survey};
+use problems::wells::{Draw, Well};
+use statics::{Conditions, Contact, Course, LyingString, StaticState, Top};
+
+const YOUNGS_MODULUS: f64 = 206e9;
+const MUD: Mud = Mud {
+    density: 1200.0,
+    viscosity: 0.0,
+};
+
+type Vector = [f64; 3];
+
+fn dot(one: Vector, other: Vector) -> f64 {
+    one.iter().zip(other).map(|(a, b)| a * b).sum()
+}
+
+fn cross([a, b, c]: Vector, [x, y, z]: Vector) -> Vector {
+    [b * z - c * y, c * x - a * z, a * y - b * x]
+}
+
+/// Places every few metres, some on the bit.
+fn contacts(string: &Drillstring, to: f64, draw: &mut Draw) -> Vec<Contact> {
+    let widest = string.sections().iter().flat_map(|it| &it.parts);
+    let widest = widest.map(|part| part.outer_radius).fold(0.0, f64::max);
+    let mut distance = 0.0;
+    let mut found = Vec::new();
+    while distance < to {
+        found.push(Contact {
+            distance_from_bit: distance,
+            clearance: if distance == 0.0 {
+                2e-3
+            } else {
+                draw.uniform(0.02, 0.06)
+            },
+            radius: widest,
+            stiffness: None,
+        });
+        distance += draw.uniform(3.0, 9.0);
+    }
+    found
+}
+
+/// What loads along the string, with its tension, less what bends it towards the axis, have as a
+/// moment about its upper end along the carried axes, and the sum of their amounts, N m.
+fn moments(state: &StaticState, string: &Drillstring, survey: &Survey) -> ([f64; 2], f64) {
+    let cells = string
+        .sections()
+        .iter()
+        .rev()
+        .flat_map(|section| (0..section.repeat).flat_map(|_| section.parts.iter().rev()));
+    let mut parts = cells.peekable();
+    let mut end = parts.peek().map_or(0.0, |part| part.length);
+    let density = string.material().density - MUD.density;
+    let (length, top, steps) = (string.length(), state.top(), 40_000);
+    let along = survey.direction(length);
+    let sin = along[0].hypot(along[1]);
+    let high = [along[0] * along[2] / sin, along[1] * along[2] / sin, -sin];
+    let mut across = [high, cross(along, high)];
+    let (mut sums, mut amount) = ([0.0; 2], 0.0);
+    let step = top / f64::from(steps);
+    for index in 0..steps {
+        let distance = (f64::from(index) + 0.5) * step;
+        let (along, curvature) = (
+            survey.direction(length - distance),
+            survey.curvature(length - distance),
+        );
+        // To the middle of the step: across what is along there, and at right angles.
+        for axis in &mut across {
+            let lean = dot(*axis, along);
+            for it in 0..3 {
+                axis[it] -= lean * along[it];
+            }
+            let size = dot(*axis, *axis).sqrt();
+            *axis = axis.map(|it| it / size);
+        }
+        let place = state.at(distance);
+        while distance > end {
+            parts.next();
+            end += parts.peek().unwrap().length;
+        }
+        let down = [0.0, 0.0, density * GRAVITY * parts.peek().unwrap().area()];
+        for plane in 0..2 {
+            let load = dot(across[plane], down) + place.tension * dot(across[plane], curvature);
+            sums[plane] += step * (load * (top - distance) - place.tension * place.slope[plane]);
+            amount += step * load.abs() * (top - distance);
+        }
+    }
+    (sums, amount)
+}
+
+#[test]
+fn val_contacts_bear_what_presses_random_strings_in_random_wells() {
+    for number in 0..45 {
+        let mut draw = Draw::new(number);
+        let Well { string, survey } = Well::draw(number, &mut draw);
+        let top = string.length().min(300.0);
+        let contacts = contacts(&string, top - 3.0, &mut draw);
+        let conditions = Conditions {
+            mud: Some(MUD),
+            weight_on_bit: draw.uniform(0.0, 60e3),
+            top: Top::At(top),
+            ..Conditions::new(YOUNGS_MODULUS, Course::Surveyed(survey.clone()))
+        };
+        let lying = LyingString::new(&string, &conditions, &contacts).unwrap();
+        for friction in [0.0, 0.3] {
+            let state = lying.sliding(friction).unwrap();
+            assert!(state.is_stable() || friction > 0.0, "{number}");
+            let mut of_contacts = [0.0; 2];
+            for it in state.contacts() {
+                let [x, y] = it.displacement;
+                let beyond = x.hypot(y) - it.contact.clearance;
+                assert!(it.normal() >= 0.0 && beyond <= 1e-9 && (!it.touches || beyond > -1e-9));
+                for plane in 0..2 {
+                    of_contacts[plane] += it.force[plane] * (top - it.contact.distance_from_bit);
+                }
+            }
+            let (moments, amount) = moments(&state, &string, &survey);
+            for plane in 0..2 {
+                let off = (moments[plane] + of_contacts[plane]) / amount;
+                assert!(off.abs() < 1e-4, "{number}, {friction}: {off:.1e}");
+            }
+        }
+    }
+}
