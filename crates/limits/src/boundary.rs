@@ -58,7 +58,7 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
         return Ok(Boundary::StickSlip(Vec::new()));
     }
     if let (Some(lateral), Some(_)) = (
-        &sweep.setting.lateral,
+        sweep.setting.hanging_sideways(),
         position(sweep, |axis| axis == Axis::FRICTION),
     ) {
         // So has every wall.
@@ -194,7 +194,7 @@ pub fn exact_stick_slip_limit(sweep: &Sweep, weights: [f64; 2]) -> Result<Bounda
 /// # Errors
 /// Where a site is not on the string.
 pub fn whirl_boundary(sweep: &Sweep, range: [f64; 2]) -> Result<Boundary, BoundaryError> {
-    let points = match &sweep.setting.lateral {
+    let points = match sweep.setting.hanging_sideways() {
         Some(lateral) => whirl_points(sweep, lateral, range)?,
         None => Vec::new(),
     };

@@ -56,7 +56,7 @@ impl ForwardContact {
     /// # Errors
     /// Where a site is not on the string.
     pub fn of(sweep: &Sweep) -> Result<Option<Self>> {
-        let lateral = sweep.setting.lateral.as_ref();
+        let lateral = sweep.setting.hanging_sideways();
         let Some(lateral) = lateral.filter(|lateral| lateral.finding.is_none()) else {
             return Ok(None);
         };

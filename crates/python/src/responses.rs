@@ -226,6 +226,7 @@ impl Responses {
             impulses: asked.impulses,
             eccentric_masses: asked.eccentric_masses,
             lying: None,
+            shocks: None,
         });
         let bit = asked.bit.map(|law| Bit::of(law, &interruption));
         let scene = Scene {

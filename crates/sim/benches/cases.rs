@@ -50,6 +50,7 @@ fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
             }],
             eccentric_masses: vec![],
             lying: None,
+            shocks: None,
         }),
         timing: Timing {
             duration,

@@ -51,6 +51,7 @@ fn scene(sites: usize, touching: usize) -> Scene {
             impulses: vec![],
             eccentric_masses: (0..sites).filter(|site| touches(*site)).map(mass).collect(),
             lying: None,
+            shocks: None,
         }),
         timing: Timing {
             duration: DURATION,

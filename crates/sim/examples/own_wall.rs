@@ -102,6 +102,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             impulses: vec![impulse],
             eccentric_masses: Vec::new(),
             lying: None,
+            shocks: None,
         }),
         timing: Timing {
             duration: 3.0,

@@ -143,5 +143,6 @@ pub use trajectory::Trajectory;
 pub use watch::along::StringTorque;
 pub use watch::axial::{AxialMeasures, AxialRegime};
 pub use watch::lateral::{LateralMeasures, LateralRegime, LyingMeasures};
+pub use watch::shocks::ShockMeasures;
 pub use watch::surface::SurfaceMeasures;
 pub use watch::torsion::{TorsionMeasures, TorsionRegime};

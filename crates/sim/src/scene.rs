@@ -107,6 +107,8 @@ pub struct Lateral<W = Wall> {
     pub eccentric_masses: Vec<EccentricMass>,
     /// How a string that has weight across its hole lies in it; `None` where it hangs in the middle.
     pub lying: Option<Lying>,
+    /// Where accelerations are measured: that sideways, m/s², beyond which a shock is counted.
+    pub shocks: Option<f64>,
 }
 
 impl<B: TorqueLaw, W: WallLaw> Scene<B, W> {
@@ -143,6 +145,9 @@ impl<B: TorqueLaw, W: WallLaw> Scene<B, W> {
             if slides && self.start == Start::Rest {
                 return Err(SceneError::SlidesAtRest);
             }
+        }
+        if let Some(threshold) = lateral.shocks {
+            positive("acceleration of a shock in m/s²", threshold)?;
         }
         for impulse in &lateral.impulses {
             known_site("an impulse", impulse.site, walls)?;

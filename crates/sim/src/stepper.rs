@@ -548,6 +548,12 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         &self.now.contacts
     }
 
+    /// How fast the string turned at each wall in the last step, rad/s.
+    pub(crate) fn speeds_at_walls(&self) -> impl Iterator<Item = f64> {
+        let ports = self.system.walls.ports().iter();
+        ports.map(|&port| self.now.speeds[port])
+    }
+
     /// All torques on a port so far, as the reference motion is left by them, N m.
     pub(crate) fn torques(&self, port: usize) -> &[f64] {
         self.torsion.torques(port)

@@ -1,10 +1,14 @@
 //! One case: its values and its scene.
 
 use linear::SteadyMotion;
-use sim::{Axial, BitTorque, Cutting, Lateral, PipeFriction, Scene, Start, Timing, torsion_timing};
+use sim::{
+    Axial, BitTorque, Cutting, Lateral, PipeFriction, Scene, Start, Timing, Wall, torsion_timing,
+};
 
 use super::case_error::CaseError;
-use crate::plan::{Begins, Conditions, ImpulseAmount, LateralSettings, Setting, Starts, Sweep};
+use crate::plan::{
+    Begins, Conditions, ImpulseAmount, LateralSettings, LyingStart, Setting, Starts, Sweep,
+};
 use crate::sweep_file::{AutoOr, StartName};
 
 /// One case of a sweep.
@@ -70,6 +74,7 @@ impl Case {
                 None,
             ),
         };
+        let lying_start = sweep.starts.lying();
         let mut timing = all.map_or(BY_DEFAULT, |all| {
             torsion_timing(&setting.string, surface_speed, &all, &start)
         });
@@ -77,6 +82,14 @@ impl Case {
             // Two regimes have to be decided.
             timing.duration = timing.duration.max(BY_DEFAULT.duration);
             timing.closing_window = timing.closing_window.max(BY_DEFAULT.closing_window);
+        }
+        if setting
+            .lateral
+            .as_ref()
+            .is_some_and(|it| it.lying.is_some())
+        {
+            timing.duration = timing.duration.max(WHILE_IT_SWINGS.duration);
+            timing.closing_window = timing.closing_window.max(WHILE_IT_SWINGS.closing_window);
         }
         if let Some(axial) = &axial {
             timing = while_it_drills(&axial.cutting, surface_speed);
@@ -102,7 +115,7 @@ impl Case {
                 friction,
                 axial,
                 lateral: (setting.lateral.as_ref())
-                    .map(|settings| lateral_scene(settings, conditions))
+                    .map(|settings| lateral_scene(setting, settings, conditions, lying_start))
                     .transpose()?,
                 timing,
             },
@@ -115,7 +128,9 @@ impl Case {
     /// Where one of them has no friction.
     pub fn at_sites_of(&self, setting: &Setting) -> Result<Self, CaseError> {
         let lateral = setting.lateral.as_ref();
-        let lateral = lateral.map(|settings| lateral_scene(settings, &self.conditions));
+        let begins = self.starts.lying();
+        let lateral =
+            lateral.map(|settings| lateral_scene(setting, settings, &self.conditions, begins));
         let mut case = self.clone();
         case.scene.lateral = lateral.transpose()?;
         case.scene.friction = friction_along(setting, &self.conditions)?;
@@ -249,11 +264,19 @@ const BY_DEFAULT: Timing = Timing {
     closing_window: 2.0,
 };
 
+/// A string that lies in its hole swings about once a second, and its swing fades within some ten.
+const WHILE_IT_SWINGS: Timing = Timing {
+    duration: 20.0,
+    closing_window: 5.0,
+};
+
 /// Walls as the case has them, impulses with the case's ratio: amounts
 /// relative to I₀ stay so until a method says what its I₀ is.
 fn lateral_scene(
+    setting: &Setting,
     settings: &LateralSettings,
     conditions: &Conditions,
+    begins: LyingStart,
 ) -> Result<Lateral, CaseError> {
     let walls = settings.walls.iter().map(|wall| {
         let wall = wall.in_case(conditions);
@@ -268,10 +291,16 @@ fn lateral_scene(
         };
         Ok(impulse.with_amount(amount.ok_or(CaseError::Missing("ratio of impulse"))?))
     });
+    let walls: Vec<Wall> = walls.collect::<Result<_, CaseError>>()?;
+    let lying = settings.lying.as_ref().map(|lying| {
+        let (string, sites) = (&setting.string, &setting.sites);
+        lying.in_case(string, sites, &walls, begins)
+    });
     Ok(Lateral {
-        walls: walls.collect::<Result<_, CaseError>>()?,
+        walls,
         impulses: impulses.collect::<Result<_, CaseError>>()?,
         eccentric_masses: settings.eccentric_masses.clone(),
-        lying: None,
+        lying: lying.transpose()?,
+        shocks: settings.shocks,
     })
 }

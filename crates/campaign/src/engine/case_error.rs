@@ -24,6 +24,9 @@ pub enum CaseError {
     /// A case that the random ranges allow, though it may not be drawn.
     #[error("at an end of the random ranges: {0}")]
     AtAnEnd(Box<CaseError>),
+    /// It has no state to begin with in which it lies in its hole.
+    #[error(transparent)]
+    Lying(#[from] statics::StaticsError),
     /// Its values make no string.
     #[error(transparent)]
     String(#[from] SweepFileError),

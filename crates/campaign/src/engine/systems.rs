@@ -290,6 +290,8 @@ impl MethodSystem {
         if let Ok(simulated) = simulated {
             let lateral = simulated.as_ref().ok().and_then(Outcome::lateral);
             record.site_from_bit_m = lateral.map(|lateral| walls[lateral.site]);
+            let shocks = lateral.and_then(|lateral| lateral.shocks);
+            record.shock_from_bit_m = shocks.map(|shocks| walls[shocks.site]);
             record.outcome = simulated.map_err(|error| {
                 let site = error.site();
                 let site = site.and_then(|site| Some((site, *ports.get(site)?)));

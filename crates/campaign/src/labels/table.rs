@@ -10,7 +10,14 @@ use crate::records::{
 use crate::sweep_file::StartName;
 
 /// Groups before the columns of what cases are held against, and those after.
-const BEFORE_MISFITS: [Group; 4] = [Group::Always, Group::Cutting, Group::Surface, Group::String];
+const BEFORE_MISFITS: [Group; 6] = [
+    Group::Always,
+    Group::Cutting,
+    Group::Lying,
+    Group::Shocks,
+    Group::Surface,
+    Group::String,
+];
 const AFTER_MISFITS: [Group; 3] = [Group::Certificate, Group::Starts, Group::Found];
 
 /// What the rows of a `labels.csv` have in common.
@@ -23,6 +30,10 @@ pub struct LabelTable<'a> {
     pub shows_torque: bool,
     /// Whether the bit cuts what its blades leave.
     pub shows_cutting: bool,
+    /// Whether the string lies in its hole.
+    pub shows_lying: bool,
+    /// Whether accelerations are measured.
+    pub shows_shocks: bool,
     /// Whether what turns the surface is followed.
     pub shows_surface: bool,
     /// Whether the torque along the string is followed.
@@ -45,6 +56,8 @@ impl<'a> LabelTable<'a> {
             axes: sweep.design.axes(),
             shows_torque: shows_torque(sweep),
             shows_cutting: sweep.setting.cutting.is_some(),
+            shows_lying: shows_lying(sweep),
+            shows_shocks: shows_shocks(sweep),
             shows_surface: shows_surface(sweep),
             shows_string_torque: shows_string_torque(sweep),
             misfits: (sweep.data.comparisons.iter())
@@ -61,6 +74,8 @@ impl<'a> LabelTable<'a> {
         match group {
             Group::Always => true,
             Group::Cutting => self.shows_cutting,
+            Group::Lying => self.shows_lying,
+            Group::Shocks => self.shows_shocks,
             Group::Surface => self.shows_surface,
             Group::String => self.shows_string_torque,
             Group::Certificate => self.certifying.is_some(),
@@ -154,6 +169,18 @@ pub fn shows_torque(sweep: &Sweep) -> bool {
 /// Whether what turns the surface has columns in the table of a sweep.
 pub fn shows_surface(sweep: &Sweep) -> bool {
     sweep.content.surface_torque || sweep.setting.friction.is_some()
+}
+
+/// Whether the string of a sweep lies in its hole.
+pub fn shows_lying(sweep: &Sweep) -> bool {
+    let lateral = sweep.setting.lateral.as_ref();
+    lateral.is_some_and(|lateral| lateral.lying.is_some())
+}
+
+/// Whether accelerations are measured in a sweep.
+pub fn shows_shocks(sweep: &Sweep) -> bool {
+    let lateral = sweep.setting.lateral.as_ref();
+    lateral.is_some_and(|lateral| lateral.shocks.is_some())
 }
 
 /// Whether the sites of a sweep are found case by case.

@@ -10,7 +10,7 @@ use super::hole::survey_along;
 use super::lateral::LateralSettings;
 use crate::design::Design;
 use crate::quantities::Axis;
-use crate::sweep_file::{FileContent, Source, SweepFileError};
+use crate::sweep_file::{AxialForceTable, FileContent, Source, SweepFileError};
 
 /// A string that hangs in its well.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +48,9 @@ pub fn resolve(
     string: Drillstring,
     lateral: Option<&LateralSettings>,
 ) -> Result<(Drillstring, Option<Hanging>), SweepFileError> {
-    let Some(table) = &content.axial_force else {
+    // A string that lies in its hole bends under its own tension.
+    let of_lying = content.lies_on_low_side().then(AxialForceTable::default);
+    let Some(table) = content.axial_force.or(of_lying) else {
         return Ok((string, None));
     };
     let key = "axial_force";
@@ -72,6 +74,10 @@ pub fn resolve(
     let force = (hanging.string).axial_force(bending, weight_on_bit, tolerance);
     let unloaded = string.clone();
     let string = source.checked(key, string.under_axial_force(force))?;
+    if content.lies_on_low_side() {
+        // Its wall holds it.
+        return Ok((string, Some(hanging)));
+    }
     let modes = BendingModes::new(&string, bending, lateral.support);
     if source.checked(key, modes)?.is_buckled() {
         let least = source.checked(key, hanging.buckling_weight(&unloaded, lateral))?;

@@ -10,6 +10,7 @@ use super::conditions::Conditions;
 use super::contacts::StringInHole;
 use super::finding::{self, Finding};
 use super::impulses::{self, ImpulseSettings};
+use super::lying::LyingSettings;
 use super::sites::Places;
 use super::wall::{self, WallSettings};
 use crate::design::Design;
@@ -32,6 +33,10 @@ pub struct LateralSettings {
     pub clearances: Arc<[(f64, f64)]>,
     /// How further sites are found, where they are.
     pub finding: Option<Finding>,
+    /// How it lies in its hole, where it does.
+    pub lying: Option<LyingSettings>,
+    /// The acceleration, m/s², beyond which a shock is counted, where accelerations are measured.
+    pub shocks: Option<f64>,
     /// Impulses.
     pub impulses: Vec<ImpulseSettings>,
     /// Eccentric masses.
@@ -101,6 +106,9 @@ pub fn resolve(
         walls,
         clearances: clearances(content, in_hole).into(),
         finding: finding::resolve(source, content, in_hole, found)?,
+        // Both follow from the axial force.
+        lying: None,
+        shocks: None,
         impulses,
         eccentric_masses,
     }))

@@ -96,6 +96,20 @@ fn is_measured(
             setting.cutting.is_some(),
             "a bit that cuts: `[bit.cutting]`",
         ),
+        Needs::Lying => (
+            setting
+                .lateral
+                .as_ref()
+                .is_some_and(|it| it.lying.is_some()),
+            "a string that lies in its hole: `well.survey` or `well.inclination_deg`, and `[wall]`",
+        ),
+        Needs::Shocks => (
+            setting
+                .lateral
+                .as_ref()
+                .is_some_and(|it| it.shocks.is_some()),
+            "accelerations: `[wall] shock_g`",
+        ),
         Needs::SurfaceTorque => (
             content.surface_torque || friction.is_some(),
             "the torque at the surface: `surface_torque = true`",

@@ -22,6 +22,7 @@ mod impulses;
 #[cfg(test)]
 mod in_hole;
 mod lateral;
+mod lying;
 mod map;
 mod methods;
 mod motor;
@@ -49,6 +50,7 @@ pub use data::Data;
 pub use finding::Finding;
 pub use impulses::{ImpulseAmount, ImpulseSettings, LARGEST_IMPULSE};
 pub use lateral::LateralSettings;
+pub use lying::{LyingSettings, LyingStart};
 pub use map::{MapMark, MapSettings};
 pub use setting::Setting;
 pub use sheet::POUND_PER_FOOT;

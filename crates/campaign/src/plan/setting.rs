@@ -14,6 +14,7 @@ use super::contacts::StringInHole;
 use super::cutting::{self, CuttingSettings};
 use super::data::Data;
 use super::lateral::{self, LateralSettings};
+use super::lying;
 use super::motor;
 use super::string_friction::{self, StringFriction};
 use super::{axial_force, hole, sampling, sites, string, top_drive};
@@ -147,7 +148,7 @@ impl Setting {
             hole: &hole,
         };
         let places = sites::resolve(source, content, &in_hole, found)?;
-        let lateral = lateral::resolve(
+        let mut lateral = lateral::resolve(
             source,
             content,
             &in_hole,
@@ -163,6 +164,15 @@ impl Setting {
             (conditions, design),
             string,
             lateral.as_ref(),
+        )?;
+        let weight_on_bit = 1e3 * conditions.weight_on_bit_kn.unwrap_or(0.0);
+        let sites = lying::resolve(
+            source,
+            content,
+            (data, mud),
+            weight_on_bit,
+            &string,
+            (&mut lateral, sites),
         )?;
         let friction = string_friction::resolve(
             source,
@@ -212,6 +222,14 @@ impl Setting {
     /// with the end of the string.
     pub fn has_stick_slip_limit(&self) -> bool {
         self.cutting.is_none() && self.motor.is_none()
+    }
+
+    /// The lateral part of a string that hangs in the middle of its hole: limits of whirl are those
+    /// of such a string.
+    pub fn hanging_sideways(&self) -> Option<&LateralSettings> {
+        self.lateral
+            .as_ref()
+            .filter(|lateral| lateral.lying.is_none())
     }
 
     /// Refuses a frequency at which nothing is felt of an impulse, or of a wave on its way; `cuts`

@@ -8,6 +8,7 @@ use linear::Drillstring;
 use linear::steady::{rotation, rotation_speed, winding};
 use sim::{BitTorque, Start};
 
+use super::lying::LyingStart;
 use super::setting::Setting;
 use crate::sweep_file::{FileContent, Source, StartName, SweepFileError};
 
@@ -34,7 +35,7 @@ pub struct Starts {
 pub fn resolve(source: &Source, content: &FileContent) -> Result<Starts, SweepFileError> {
     let cuts = content.has_cutting();
     let name = match (content.start, rest_only(content)) {
-        (None, None) if cuts => StartName::Ramp,
+        (None, None) if cuts || content.bit.is_none() => StartName::Ramp,
         (None, None) if !source.gives("surface_speed_rise_s") => StartName::Stuck,
         (None, _) => StartName::Ramp,
         (Some(name), why) => {
@@ -42,7 +43,7 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Starts, SweepFi
             name
         }
     };
-    let is_disturbed = matches!(name, StartName::Smooth | StartName::Both);
+    let is_disturbed = matches!(name, StartName::Smooth | StartName::Both) && content.bit.is_some();
     let disturbance = match content.start_disturbance {
         None => DISTURBANCE,
         Some(part) => {
@@ -59,7 +60,7 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Starts, SweepFi
 
 /// Why the cases of a file can begin at rest only, if so.
 fn rest_only(content: &FileContent) -> Option<&'static str> {
-    if content.bit.is_none() {
+    if content.bit.is_none() && !content.lies_on_low_side() {
         return Some("needs a table [bit]: without a torque on the bit there is no other start");
     }
     if content.string_friction.is_some() {
@@ -97,12 +98,19 @@ fn check(
         "a case that begins {} does not wait for the surface: leave it out, or write \
          `start = \"ramp\"`",
         match name {
-            StartName::Smooth => "in smooth rotation",
+            StartName::Smooth | StartName::Turning => "in smooth rotation",
             _ => "with the bit held",
         }
     );
     let rises = content.surface_speed_rise_s != 0.0;
     source.refuse_if(rises, "surface_speed_rise_s", message)?;
+    let lies = content.lies_on_low_side();
+    let message = "is how a string begins that lies in its hole: needs `well.survey` or \
+                   `well.inclination_deg`, and a [wall]";
+    source.refuse_if(name == StartName::Turning && !lies, "start", message)?;
+    let message = "holds a bit: needs a table [bit]";
+    let is_held = matches!(name, StartName::Stuck | StartName::Both);
+    source.refuse_if(is_held && content.bit.is_none(), "start", message)?;
     let has_wall = content.wall.is_some();
     let message = "with a [wall] a case begins one way: `\"stuck\"`, `\"smooth\"` or `\"ramp\"`";
     source.refuse_if(name == StartName::Both && has_wall, "start", message)
@@ -113,9 +121,17 @@ impl Starts {
     /// one with the bit held.
     pub fn first(&self, setting: &Setting, surface_speed: f64, bit: Option<&BitTorque>) -> Start {
         let (string, sites) = (&setting.string, &setting.sites);
+        let lateral = setting.lateral.as_ref();
+        let lies = lateral.is_some_and(|lateral| lateral.lying.is_some());
         match (self.name, bit) {
-            (StartName::Ramp, _) | (_, None) => Start::Rest,
-            (StartName::Smooth, Some(bit)) => self.smooth(setting, surface_speed, bit),
+            (StartName::Ramp, _) => Start::Rest,
+            (StartName::Smooth | StartName::Turning, None) if lies => {
+                Start::Steady(rotation(string, sites, surface_speed, 0.0))
+            }
+            (_, None) => Start::Rest,
+            (StartName::Smooth | StartName::Turning, Some(bit)) => {
+                self.smooth(setting, surface_speed, bit)
+            }
             (StartName::Stuck | StartName::Both, Some(bit)) => {
                 let torque = (1.0 + MORE_THAN_HELD) * bit.torque_static;
                 Start::Steady(winding(string, sites, surface_speed, torque))
@@ -145,9 +161,19 @@ impl Starts {
                 return None;
             }
             StartName::Stuck => StartName::Smooth,
-            StartName::Smooth | StartName::Ramp => StartName::Stuck,
+            // Without a bit nothing sticks.
+            _ if content.bit.is_none() => return None,
+            StartName::Smooth | StartName::Turning | StartName::Ramp => StartName::Stuck,
         };
         Some(Self { name, ..*self })
+    }
+
+    /// How a string that lies in its hole finds its walls.
+    pub fn lying(&self) -> LyingStart {
+        match self.name {
+            StartName::Smooth => LyingStart::Sliding,
+            _ => LyingStart::AtRest,
+        }
     }
 
     fn smooth(&self, setting: &Setting, surface_speed: f64, bit: &BitTorque) -> Start {

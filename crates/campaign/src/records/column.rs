@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use sim::{
-    AxialMeasures, Label, LateralMeasures, Motion, Outcome, StringTorque, SurfaceMeasures,
-    TorsionMeasures,
+    AxialMeasures, Label, LateralMeasures, LyingMeasures, Motion, Outcome, ShockMeasures,
+    StringTorque, SurfaceMeasures, TorsionMeasures,
 };
 
 use super::field::{Field, Kind};
@@ -19,6 +19,10 @@ pub enum Group {
     Always,
     /// Of a bit that cuts what its blades leave.
     Cutting,
+    /// How a string that lies in its hole swings there.
+    Lying,
+    /// Accelerations, where they are measured.
+    Shocks,
     /// Torque at the surface, where that is followed.
     Surface,
     /// The greatest torque along the string, where that is followed.
@@ -46,6 +50,10 @@ pub enum Needs {
     StringTorque,
     /// A bit that cuts what its blades leave.
     Cutting,
+    /// A string that lies in its hole.
+    Lying,
+    /// Accelerations.
+    Shocks,
 }
 
 /// A column of results.
@@ -161,6 +169,8 @@ impl ResultColumn {
         match (self.group, self.motion) {
             (Group::Surface, _) => Some(Needs::SurfaceTorque),
             (Group::String, _) => Some(Needs::StringTorque),
+            (Group::Lying, _) => Some(Needs::Lying),
+            (Group::Shocks, _) => Some(Needs::Shocks),
             (_, Some(Motion::Torsion)) => Some(Needs::Bit),
             (_, Some(Motion::Lateral)) => Some(Needs::Wall),
             (_, Some(Motion::Axial)) => Some(Needs::Cutting),
@@ -190,6 +200,14 @@ impl<'a> RecordRow<'a> {
 
     pub(super) fn lateral(&self) -> Option<LateralMeasures> {
         self.outcome.and_then(Outcome::lateral)
+    }
+
+    pub(super) fn lying(&self) -> Option<LyingMeasures> {
+        self.lateral().and_then(|lateral| lateral.lying)
+    }
+
+    pub(super) fn shocks(&self) -> Option<ShockMeasures> {
+        self.lateral().and_then(|lateral| lateral.shocks)
     }
 
     pub(super) fn axial(&self) -> Option<AxialMeasures> {
@@ -228,6 +246,11 @@ pub fn to_mm(length: f64) -> f64 {
 /// A metre per second in metres per hour.
 pub fn to_m_h(speed: f64) -> f64 {
     3600.0 * speed
+}
+
+/// An acceleration, m/s², in g.
+pub fn to_g(acceleration: f64) -> f64 {
+    acceleration / linear::well::GRAVITY
 }
 
 /// A newton in kN.

@@ -4,7 +4,7 @@
 use sim::{Label, Motion};
 
 use super::column::{
-    Group, ResultColumn, count, flag, number, text, to_kn, to_m_h, to_mm, to_rpm, to_turns,
+    Group, ResultColumn, count, flag, number, text, to_g, to_kn, to_m_h, to_mm, to_rpm, to_turns,
 };
 use super::field::Field;
 use super::verdict::MotionVerdict;
@@ -227,6 +227,85 @@ pub static COLUMNS: &[ResultColumn] = &[
     .of(Motion::Axial)
     .group(Group::Cutting)
     .measure(),
+    number(
+        "climb_deg",
+        "deg",
+        "Mean angle from the low side in the closing window",
+        |row| row.lying().map(|it| it.climb.to_degrees()).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Lying)
+    .measure(),
+    number("swing_deg", "deg", "Swing to either side of that", |row| {
+        row.lying().map(|it| it.swing_amplitude.to_degrees()).into()
+    })
+    .of(Motion::Lateral)
+    .group(Group::Lying)
+    .measure()
+    .severity(),
+    number(
+        "swing_frequency_hz",
+        "Hz",
+        "Frequency of the swing",
+        |row| row.lying().map(|it| it.swing_frequency).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Lying)
+    .measure(),
+    number(
+        "greatest_angle_deg",
+        "deg",
+        "Greatest angle of any site from the low side",
+        |row| row.lying().map(|it| it.greatest_angle.to_degrees()).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Lying)
+    .measure(),
+    number(
+        "acceleration_peak_g",
+        "g",
+        "Greatest acceleration sideways in the closing window",
+        |row| row.shocks().map(|it| to_g(it.peak)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Shocks)
+    .measure()
+    .severity(),
+    number(
+        "acceleration_rms_g",
+        "g",
+        "Root mean square of the acceleration sideways there",
+        |row| row.shocks().map(|it| to_g(it.rms)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Shocks)
+    .measure(),
+    number(
+        "tangential_acceleration_peak_g",
+        "g",
+        "Greatest acceleration there along the string's surface",
+        |row| row.shocks().map(|it| to_g(it.tangential_peak)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Shocks)
+    .measure(),
+    number(
+        "lateral_shocks_per_s",
+        "shocks/s",
+        "Rate of shocks sideways there",
+        |row| row.shocks().map(|it| it.shocks_per_second).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Shocks)
+    .measure(),
+    number(
+        "acceleration_from_bit_m",
+        "m",
+        "Place of the greatest acceleration sideways, from the bit",
+        |row| row.shocks().and(row.record.shock_from_bit_m).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Shocks),
     number(
         "surface_torque_peak_nm",
         "N m",

@@ -65,6 +65,9 @@ pub struct Record {
     /// The site that decides the lateral label, m from the bit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub site_from_bit_m: Option<f64>,
+    /// The site of the greatest acceleration sideways, m from the bit, where that is measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shock_from_bit_m: Option<f64>,
     /// How far it is from what was recorded, in the order of the comparisons; none where it does
     /// not reach that.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -103,6 +106,7 @@ impl Record {
             torque_dynamic_nm: None,
             above_limit: None,
             site_from_bit_m: None,
+            shock_from_bit_m: None,
             misfits: Vec::new(),
             finer: None,
             agrees_nearby: None,

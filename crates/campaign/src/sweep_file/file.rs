@@ -157,6 +157,14 @@ impl FileContent {
         (self.bit.as_ref()).is_some_and(|bit| bit.cutting.is_some())
     }
 
+    /// Whether the string lies on the low side of its hole: of an inclined well, with a wall.
+    pub fn lies_on_low_side(&self) -> bool {
+        let is_inclined =
+            |well: &WellTable| well.survey.is_some() || well.inclination_deg.is_some();
+        let lies = |wall: &WallTable| wall.lies_on_low_side != Some(false);
+        self.well.as_ref().is_some_and(is_inclined) && self.wall.as_ref().is_some_and(lies)
+    }
+
     /// Whether the hole decides the clearance where nothing else does.
     pub fn clearance_is_of_hole(&self) -> bool {
         let clearance = self.wall.and_then(|wall| wall.clearance);

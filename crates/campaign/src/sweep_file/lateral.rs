@@ -77,6 +77,11 @@ pub struct WallTable {
     /// under its weight; with `false` it hangs in the middle, as in a vertical well.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lies_on_low_side: Option<bool>,
+    /// The acceleration sideways, in g, beyond which a shock is counted, where accelerations are
+    /// measured: those of a string that lies in its hole (left out, 25 g), others only if this is given.
+    #[schemars(range(min = 0.001, max = 1e5))]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shock_g: Option<f64>,
     /// At which places the wall may be touched.
     #[schemars(!skip_serializing_if)]
     #[serde(skip_serializing_if = "is_default")]

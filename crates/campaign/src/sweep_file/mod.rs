@@ -65,7 +65,7 @@ pub use start::StartName;
 pub use string::{SectionTable, TubeTable};
 pub use survey::{SurveyNotes, read_survey};
 pub use top_drive::{ControllerName, TopDriveTable};
-pub use well::{HoleTable, PressedByName};
+pub use well::{AxialForceTable, HoleTable, PressedByName};
 pub use wording::{UnknownAxis, axis_in_units, axis_named, nearest};
 
 /// A sweep file to start from, which runs as it is: what `sweep new` writes. A test switches on each

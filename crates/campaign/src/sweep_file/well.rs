@@ -127,6 +127,14 @@ pub enum PressedByName {
     Weight,
 }
 
+impl Default for AxialForceTable {
+    fn default() -> Self {
+        Self {
+            tolerance: default_tolerance(),
+        }
+    }
+}
+
 fn default_tolerance() -> f64 {
     0.01
 }

@@ -23,6 +23,12 @@ pub struct About {
     /// Whether it has columns of a bit that cuts.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub shows_cutting: bool,
+    /// Whether it has columns of a string that lies in its hole.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shows_lying: bool,
+    /// Whether it has columns of accelerations.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shows_shocks: bool,
     /// Whether it has columns of what turns the surface.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub shows_surface: bool,
@@ -70,6 +76,8 @@ impl About {
             manifest,
             shows_torque: shows_torque(sweep),
             shows_cutting: sweep.setting.cutting.is_some(),
+            shows_lying: LabelTable::of(sweep).shows_lying,
+            shows_shocks: LabelTable::of(sweep).shows_shocks,
             shows_surface: shows_surface(sweep),
             shows_string_torque: shows_string_torque(sweep),
             misfits: LabelTable::of(sweep)
@@ -92,6 +100,8 @@ impl About {
             axes: &self.manifest.axes,
             shows_torque: self.shows_torque,
             shows_cutting: self.shows_cutting,
+            shows_lying: self.shows_lying,
+            shows_shocks: self.shows_shocks,
             shows_surface: self.shows_surface,
             shows_string_torque: self.shows_string_torque,
             misfits: self.misfits.iter().map(String::as_str).collect(),

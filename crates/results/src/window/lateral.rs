@@ -23,7 +23,7 @@ pub fn limits(
     ranges: [[f64; 2]; 2],
     asked: &WindowAsked,
 ) -> Result<Vec<Source<'static>>, WindowError> {
-    let Some(lateral) = &sweep.setting.lateral else {
+    let Some(lateral) = sweep.setting.hanging_sideways() else {
         if asked.held_at.is_some() {
             return Err(WindowError::NotBent);
         }

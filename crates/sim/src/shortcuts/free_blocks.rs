@@ -1,7 +1,7 @@
 //! Blocks of steps in which nothing disturbs the sites and none reaches its wall: out of
 //! contact the string is linear, and what the past makes of a block is known before it
 //! is stepped. Where a bit cuts there are none, for it acts in every step; nor of a string that lies on
-//! its wall, or is held by springs.
+//! its wall or is held by springs, or where every acceleration counts.
 
 use crate::convolution::partition::FIRST_BLOCK;
 use crate::laws::contact::WallLaw;
@@ -26,7 +26,8 @@ pub(crate) fn pass_free_block<B: TorqueLaw, W: WallLaw>(
     let Some(lateral) = scene.lateral.as_ref().filter(|_| turns_freely) else {
         return 0;
     };
-    if lateral.lying.is_some() || !system.springs.is_empty() {
+    let is_watched = lateral.lying.is_some() || lateral.shocks.is_some();
+    if is_watched || !system.springs.is_empty() {
         return 0;
     }
     if count == 0

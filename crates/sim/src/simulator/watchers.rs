@@ -47,7 +47,7 @@ impl Watchers {
             let speed = scene.surface_speed;
             let walls = WallWatch::new(rules, sites, speed, sampling, (steps, window));
             (
-                walls.of_lying(lateral.lying.as_ref()),
+                walls.of_lying(lateral.lying.as_ref()).of_shocks(lateral),
                 Settling::new(rules, sites, sampling.frequency, steps),
             )
         });
@@ -81,7 +81,7 @@ impl Watchers {
             _ => {}
         }
         if let Some((watch, _)) = &mut self.walls {
-            watch.see(&now.contacts);
+            watch.see(&now.contacts, stepper.speeds_at_walls());
         }
         if let (Some(watch), Some(cut)) = (&mut self.cut, &now.cut) {
             watch.see(cut);

@@ -22,11 +22,13 @@
 use serde::{Deserialize, Serialize};
 
 use super::rules::Rules;
+use super::shocks::{ShockMeasures, ShockWatch};
 use super::swing::{Swing, SwingWatch};
 use super::turning::Turning;
-use crate::laws::contact::{Contact, Touch};
+use crate::laws::contact::{Contact, Touch, WallLaw};
 use crate::lying::Lying;
 use crate::sampling::Sampling;
+use crate::scene::Lateral;
 use crate::words::with_words;
 
 with_words! {
@@ -80,6 +82,9 @@ pub struct LateralMeasures {
     /// How a string that lies in its hole swings there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lying: Option<LyingMeasures>,
+    /// What tools in the string feel, where that is measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shocks: Option<ShockMeasures>,
 }
 
 /// What a person would ask of a string that lies in its hole, of the site that decides the label.
@@ -103,11 +108,15 @@ fn is_zero(rate: &f64) -> bool {
 
 impl LateralMeasures {
     /// What may be no number, with its name.
-    pub(crate) fn numbers(&self) -> [(&'static str, f64); 5] {
+    pub(crate) fn numbers(&self) -> [(&'static str, f64); 6] {
         [
             (
                 "greatest angle from the low side",
                 self.lying.map_or(0.0, |it| it.greatest_angle),
+            ),
+            (
+                "greatest acceleration",
+                self.shocks.map_or(0.0, |it| it.peak + it.tangential_peak),
             ),
             ("largest radius", self.peak_radius),
             ("mean radius in the closing window", self.mean_radius),
@@ -173,6 +182,8 @@ pub(crate) struct WallWatch {
     steps: usize,
     /// Of a string that lies in its hole.
     swings: Option<SwingWatch>,
+    /// Where accelerations are measured.
+    shocks: Option<ShockWatch>,
 }
 
 impl WallWatch {
@@ -197,6 +208,7 @@ impl WallWatch {
             surface_speed,
             steps,
             swings: None,
+            shocks: None,
         }
     }
 
@@ -209,7 +221,21 @@ impl WallWatch {
         }
     }
 
-    pub(crate) fn see(&mut self, contacts: &[Contact]) {
+    /// The same, which measures accelerations where the scene asks for these.
+    pub(crate) fn of_shocks<W: WallLaw>(self, lateral: &Lateral<W>) -> Self {
+        let radii = || lateral.walls.iter().map(WallLaw::radius).collect();
+        let of = |threshold| ShockWatch::new(threshold, radii(), self.sampling, self.closing_from);
+        Self {
+            shocks: lateral.shocks.map(of),
+            ..self
+        }
+    }
+
+    /// What all sites did in a step, and how fast they turned, rad/s.
+    pub(crate) fn see(&mut self, contacts: &[Contact], speeds: impl Iterator<Item = f64>) {
+        if let Some(shocks) = &mut self.shocks {
+            shocks.see(contacts, speeds);
+        }
         for (site, contact) in contacts.iter().enumerate() {
             self.see_site(self.step, site, contact);
             self.ambiguous += usize::from(contact.ambiguous);
@@ -285,6 +311,7 @@ impl WallWatch {
         let in_contact = (sums.contact as f64).max(1.0);
         LateralMeasures {
             lying,
+            shocks: self.shocks.as_ref().and_then(ShockWatch::measures),
             regime,
             site,
             first_contact: self.first_contact.map(|step| self.sampling.time_of(step)),
@@ -385,7 +412,7 @@ mod tests {
         for step in 0..timed.0 {
             let time = sampling.time_of(step);
             let contacts: Vec<Contact> = sites.iter().map(|site| site(time)).collect();
-            watch.see(&contacts);
+            watch.see(&contacts, std::iter::empty());
         }
         watch.measures()
     }

@@ -7,6 +7,7 @@ pub mod lateral;
 pub(crate) mod rubbing;
 pub mod rules;
 pub(crate) mod settling;
+pub(crate) mod shocks;
 pub mod surface;
 pub(crate) mod swing;
 pub mod torsion;

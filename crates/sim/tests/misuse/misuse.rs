@@ -91,6 +91,7 @@ fn touching() -> Scene {
             impulses: vec![impulse],
             eccentric_masses: vec![mass],
             lying: None,
+            shocks: None,
         }),
         ..cutting()
     }

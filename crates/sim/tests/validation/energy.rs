@@ -50,6 +50,7 @@ fn rattle(method: &Method, wall: Wall, sampling_frequency: f64, steps: usize) ->
             impulses: (0..60).map(impulse).collect(),
             eccentric_masses: vec![],
             lying: None,
+            shocks: None,
         }),
         timing: Timing {
             duration,

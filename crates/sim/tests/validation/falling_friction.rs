@@ -97,6 +97,7 @@ fn contacts(sampling_frequency: f64, wall: Wall) -> Vec<Contact> {
             impulses: vec![PUSH, SHORT],
             eccentric_masses: vec![],
             lying: None,
+            shocks: None,
         }),
         timing: Timing {
             duration: DURATION,
@@ -210,6 +211,7 @@ fn val_sliding_that_friction_may_shake_is_not_taken_as_settled() {
                     offset: 0.1,
                 }],
                 lying: None,
+                shocks: None,
             }),
             timing: Timing {
                 duration: 10.0,

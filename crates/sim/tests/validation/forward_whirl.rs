@@ -168,6 +168,7 @@ fn academic_whirl(
             impulses: vec![],
             eccentric_masses: vec![mass],
             lying: None,
+            shocks: None,
         }),
         timing: Timing {
             duration: 20.0,

@@ -240,6 +240,7 @@ impl Pushed {
                 impulses: vec![self.impulse],
                 eccentric_masses: vec![],
                 lying: None,
+                shocks: None,
             }),
             timing: Timing {
                 duration: 10.0,

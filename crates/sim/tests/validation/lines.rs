@@ -96,6 +96,7 @@ impl With {
                 impulses: vec![impulse],
                 eccentric_masses: Vec::new(),
                 lying: None,
+                shocks: None,
             }),
             timing: Timing {
                 duration: TIME,

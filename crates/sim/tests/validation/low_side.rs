@@ -133,6 +133,7 @@ fn turning(rpm: f64, friction: f64, duration: f64) -> Scene {
             impulses: vec![],
             eccentric_masses: vec![],
             lying: Some(lying()),
+            shocks: None,
         }),
         timing: Timing {
             duration,

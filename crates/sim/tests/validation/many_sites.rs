@@ -331,6 +331,7 @@ impl Shaken {
                     impulses: impulses.clone(),
                     eccentric_masses: vec![],
                     lying: None,
+                    shocks: None,
                 }),
                 timing: Timing {
                     duration,

@@ -182,6 +182,7 @@ fn positions<W: WallLaw>(system: &System, wall: W) -> (Vec<[f64; 2]>, usize) {
             impulses: vec![impulse(0.1, 0.0), impulse(0.5, 2.0)],
             eccentric_masses: vec![],
             lying: None,
+            shocks: None,
         }),
         timing: Timing {
             duration: 1.0,

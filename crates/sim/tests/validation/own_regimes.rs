@@ -342,6 +342,7 @@ fn val_a_wall_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_
                 impulses: vec![impulse],
                 eccentric_masses: vec![],
                 lying: None,
+                shocks: None,
             }),
             timing: Timing {
                 duration: 10.0,
@@ -368,6 +369,7 @@ fn val_a_wall_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_
                 impulses: vec![impulse],
                 eccentric_masses: vec![],
                 lying: None,
+                shocks: None,
             }),
             timing: built_in.timing,
         };

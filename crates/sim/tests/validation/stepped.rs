@@ -73,6 +73,7 @@ impl Both {
                     offset: 0.05,
                 }],
                 lying: None,
+                shocks: None,
             }),
             timing: Timing {
                 duration: DURATION,

@@ -104,6 +104,7 @@ impl Case {
             impulses: vec![self.impulse(0, ratio)],
             eccentric_masses: vec![],
             lying: None,
+            shocks: None,
         }
     }
 }
@@ -214,6 +215,7 @@ fn val_figure_15_whirls_forward_as_the_forces_balance() {
                 offset,
             }],
             lying: None,
+            shocks: None,
         },
         None,
     );
@@ -362,6 +364,7 @@ fn val_three_sites_whirl_together() {
             impulses: vec![case.impulse(1, 3.0)],
             eccentric_masses: vec![],
             lying: None,
+            shocks: None,
         };
         let low = case.run(lateral(0.5), None).regime;
         assert_eq!(low, LateralRegime::TransientContact, "{}", method.name());
@@ -421,6 +424,7 @@ fn val_the_whole_string_passes_through_every_site_at_every_time() {
             impulses: vec![case.impulse(1, 3.0)],
             eccentric_masses: vec![],
             lying: None,
+            shocks: None,
         };
         let mut trajectory = Trajectory::default();
         case.run(lateral, Some(&mut trajectory));
@@ -501,6 +505,7 @@ fn val_a_site_that_leans_on_the_wall_does_not_whirl() {
         impulses: vec![force],
         eccentric_masses: vec![],
         lying: None,
+        shocks: None,
     };
     let lateral = case.run(lateral, None);
     assert!(lateral.contact_fraction > 0.9, "{lateral:?}");
@@ -570,6 +575,7 @@ mod oscillator {
                 impulses: impulses.iter().map(impulse).collect(),
                 eccentric_masses: vec![],
                 lying: None,
+                shocks: None,
             }),
             timing: Timing {
                 duration: DURATION,
