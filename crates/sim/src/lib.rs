@@ -108,6 +108,7 @@ mod system;
 pub mod timing;
 pub mod trajectory;
 pub mod watch;
+mod wavering;
 mod words;
 
 pub use error::SimulationError;

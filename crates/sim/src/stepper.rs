@@ -62,6 +62,7 @@ use crate::port::{PortTorque, Turned, meet_bit, meet_cut};
 use crate::scene::Scene;
 use crate::start::Start;
 use crate::system::System;
+use crate::wavering::Wavering;
 
 /// One step of all sites that may bear a load.
 #[derive(Debug, Clone)]
@@ -395,9 +396,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             positions: lateral.map_or(&[], LateralMotion::free_positions),
             turning: free,
         };
+        let mut wavering = Wavering::default();
         let settled = coupling.settle(free, |port, unloaded: Unloaded| {
+            let before = wavering.released().unwrap_or(bit_state).clone();
             let torque = match (&*bit, &*axial, friction.get(port)) {
-                (Some((law, at)), _, _) if *at == port => PortTorque::Bit(*law, &*bit_state, motor),
+                (Some((law, at)), _, _) if *at == port => PortTorque::Bit(*law, &before, motor),
                 (_, Some((axial, at)), _) if *at == port => PortTorque::Cut(axial, motor),
                 (_, _, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
                 _ => PortTorque::Free,
@@ -439,7 +442,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             now.speeds[port] = turn.speed;
             match turn.law {
                 Turned::Free => {}
-                Turned::Bit(bit, _) => now.bit = Some(bit),
+                Turned::Bit(answer, _) => {
+                    wavering.see(bit.map(|(law, _)| law.motion(&answer)), &answer.state);
+                    now.bit = Some(answer);
+                }
                 Turned::Cut(cut, _) => now.cut = Some(cut),
                 Turned::Pipe(pipe) => now.rubbing[port] = pipe.state,
             }
