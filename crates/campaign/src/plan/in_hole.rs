@@ -145,6 +145,42 @@ fn the_shipped_string_touches_with_its_blades() {
     assert_eq!(found.len(), 24);
 }
 
+/// With its ends it touches where the independent reference of the static string has it.
+#[test]
+fn the_shipped_string_may_touch_with_the_ends_of_its_wide_parts() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps");
+    let file = Path::new(folder).join("well_12in_contacts.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let ends = text.replace("sites = \"all\"", "sites = \"ends\"");
+    // Where the impulse is, in the middle of a collar, is then no site.
+    let ends = ends.replace("distance_from_bit_m = 38.54", "distance_from_bit_m = 43.2");
+    let file = file.with_file_name("ends.toml");
+    let from = |path: &Path, _: u64| match path == file {
+        true => Ok(ends.clone()),
+        false => std::fs::read_to_string(path),
+    };
+    let sweep = Sweep::read_from(&file, &[], &from).unwrap();
+    let mut expected = problems::field_assembly::ends(200.0);
+    expected.sort_by(|a, b| a.distance_from_bit.total_cmp(&b.distance_from_bit));
+    let found = sites(&sweep.setting);
+    assert_eq!(found.len(), expected.len());
+    for ((distance, _, clearance_mm, radius), expected) in found.into_iter().zip(expected) {
+        assert!(
+            (distance - expected.distance_from_bit).abs() < 1e-3,
+            "{distance} {expected:?}"
+        );
+        assert!(
+            (1e-3 * clearance_mm - expected.clearance).abs() < 1e-9,
+            "{distance}"
+        );
+        // The bit's body is narrow.
+        assert!(
+            distance == 0.0 || (radius - expected.radius).abs() < 1e-9,
+            "{distance}"
+        );
+    }
+}
+
 /// A mistake: the file, a piece of the wrong line, its key, and the message.
 #[track_caller]
 fn is_refused(text: &str, at: &str, key: &str, expected: &str) {
@@ -256,15 +292,19 @@ fn no_candidates_or_too_many_are_refused_with_their_line() {
         key,
         "more than 2000 candidates: `sites_to_m` ends",
     );
-    for name in ["sites_every_m", "sites_to_ft"] {
+    for (name, message) in [
+        ("sites_every_m", "needs `sites = \"all\"` or `\"auto\"`"),
+        (
+            "sites_to_ft",
+            "needs `sites = \"all\"`, `\"ends\"` or `\"auto\"`",
+        ),
+    ] {
         let idle = IN_HOLE.replace("sites = \"all\"", &format!("{name} = 9"));
-        is_refused(
-            &idle,
-            name,
-            &format!("wall.{name}"),
-            "needs `sites = \"all\"` or `\"auto\"`",
-        );
+        is_refused(&idle, name, &format!("wall.{name}"), message);
     }
+    let even = IN_HOLE.replace("sites = \"all\"", "sites = \"ends\"\nsites_every_m = 9");
+    let message = "even distances need `\"all\"` or `\"auto\"`";
+    is_refused(&even, "sites_every_m", "wall.sites_every_m", message);
     let cutting = "[bit]\ntorque_dynamic_nm = 2000\n";
     is_refused(
         &(IN_HOLE.to_owned() + cutting),
