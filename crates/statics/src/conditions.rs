@@ -23,7 +23,7 @@ pub struct Conditions {
     pub course: Course,
     /// The mud, which buoys the string; the same inside and outside.
     pub mud: Option<Mud>,
-    /// Weight on bit W, N.
+    /// Weight on bit W, N; where negative, the bit is pulled.
     pub weight_on_bit: f64,
     /// Torque along the string, N m, for stress alone: its effect on bending is left out.
     pub torque: f64,
