@@ -50,8 +50,8 @@ pub enum Bit {
 /// Where the modelled part of the string ends.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Top {
-    /// At least 150 m above the bit, beyond the highest contact by half of its distance from the
-    /// next: an end close to a contact would lift it off.
+    /// At least 150 m above the bit, beyond the highest contact by half of the greatest of the three
+    /// distances between the highest four: an end close to a contact would lift it off.
     #[default]
     Automatic,
     /// At a distance from the bit, m; contacts above are left out.

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use linear::well::Survey;
+use linear::well::{Station, Survey};
 use serde::Serialize;
 use sim::Recording;
 
 use super::compare::{self, Comparison};
 use crate::design::Design;
-use crate::quantities::Axis;
+use crate::quantities::{Axis, LONGEST_STRING};
 use crate::sweep_file::{
     AutoOr, FileContent, Source, SurveyNotes, SweepFileError, TextOf, read_series, read_survey,
 };
@@ -18,6 +18,8 @@ use crate::sweep_file::{
 pub struct Data {
     /// The course of the well.
     pub survey: Option<Arc<Survey>>,
+    /// Whether the sweep file itself says it.
+    is_straight: bool,
     /// The speed of the surface, rpm.
     pub surface_speed: Option<Recording>,
     /// What cases are held against.
@@ -50,6 +52,7 @@ impl Data {
             .map(|file| read_survey(source, "well.survey", file, text_of))
             .transpose()?;
         let (survey, of_survey) = survey.unzip();
+        let straight = straight(source, content)?;
         let SurveyNotes { doubts, mut notes } = of_survey.unwrap_or_default();
         let (key, column) = (
             "surface_speed_file",
@@ -72,7 +75,8 @@ impl Data {
             }
         }
         Ok(Self {
-            survey: survey.map(Arc::new),
+            is_straight: straight.is_some(),
+            survey: survey.or(straight).map(Arc::new),
             surface_speed,
             comparisons,
             doubts,
@@ -94,14 +98,31 @@ impl Data {
                 .map(|comparison| &comparison.recorded),
         );
         let recorded: Vec<_> = recordings.map(|it| [it.times(), it.values()]).collect();
-        let survey = self.survey.as_ref().map(|survey| {
-            let station =
-                |it: &linear::well::Station| [it.measured_depth, it.inclination, it.azimuth];
+        let survey = self.survey.as_ref().filter(|_| !self.is_straight);
+        let survey = survey.map(|survey| {
+            let station = |it: &Station| [it.measured_depth, it.inclination, it.azimuth];
             survey.stations().iter().map(station).collect()
         });
         let is_there = survey.is_some() || !recorded.is_empty();
         is_there.then_some(Meaning { survey, recorded })
     }
+}
+
+/// The course of a well that the file says is straight, as deep as any string is long.
+fn straight(source: &Source, content: &FileContent) -> Result<Option<Survey>, SweepFileError> {
+    let key = "well.inclination_deg";
+    let degrees = content.well.as_ref().and_then(|well| well.inclination_deg);
+    let Some(degrees) = degrees else {
+        return Ok(None);
+    };
+    let inclination = source.within(key, degrees, 0.0, 180.0, "°")?.to_radians();
+    let station = |measured_depth: f64| Station {
+        measured_depth,
+        inclination,
+        azimuth: 0.0,
+    };
+    let survey = Survey::new(vec![station(0.0), station(LONGEST_STRING)]);
+    source.checked(key, survey).map(Some)
 }
 
 /// A recording takes the place of all else that says how the surface turns, and lasts as long as

@@ -111,6 +111,8 @@ pub fn idle_tables(content: &FileContent, design: &Design) -> Vec<String> {
     let hangs = content.axial_force.is_some();
     let well = content.well.as_ref();
     let has_survey = well.is_some_and(|well| well.survey.is_some());
+    let is_straight = well.is_some_and(|well| well.inclination_deg.is_some());
+    let takes_course = rubs || hangs || bends;
     let has_hole = well.is_some_and(|well| well.hole_radius_m.is_some() || !well.holes.is_empty());
     let is_viscous = mud_is_viscous(content, design);
     let moves_mud = content.mud.is_some() && bends || is_viscous;
@@ -120,8 +122,12 @@ pub fn idle_tables(content: &FileContent, design: &Design) -> Vec<String> {
             "[mud] has no effect without a viscosity, [wall] or [string_friction]",
         ),
         (
-            has_survey && !rubs && !hangs,
-            "`well.survey` has no effect without [string_friction] or [axial_force]",
+            has_survey && !takes_course,
+            "`well.survey` has no effect without [string_friction], [axial_force] or [wall]",
+        ),
+        (
+            is_straight && !takes_course,
+            "`well.inclination_deg` has no effect without [string_friction], [axial_force] or [wall]",
         ),
         (
             has_hole && !moves_mud && !content.clearance_is_of_hole(),

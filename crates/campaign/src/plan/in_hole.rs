@@ -181,6 +181,60 @@ fn the_shipped_string_may_touch_with_the_ends_of_its_wide_parts() {
     }
 }
 
+/// In a straight well it lies as the independent reference of the static string has it, by the
+/// sites and the clearances of the file.
+#[test]
+fn the_shipped_string_lies_in_an_inclined_hole() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps");
+    let file = Path::new(folder).join("well_12in_contacts.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let inclined = text
+        .replace(
+            "hole_diameter_in = 12.25",
+            "hole_diameter_in = 12.25\ninclination_deg = 60",
+        )
+        .replace("density_ppg = 13.436", "density_kg_m3 = 1200")
+        .replace("sites_to_m = 200", "sites_to_m = 250");
+    let file = file.with_file_name("inclined.toml");
+    let from = |path: &Path, _: u64| match path == file {
+        true => Ok(inclined.clone()),
+        false => std::fs::read_to_string(path),
+    };
+    let sweep = Sweep::read_from(&file, &[], &from).unwrap();
+    let lying = sweep
+        .setting
+        .lying_string(&sweep.conditions)
+        .unwrap()
+        .unwrap();
+    let state = lying.at_rest().unwrap();
+    let forces = [995.4084, 10268.2199, 23023.5236, 0.0, 30904.9361];
+    for (it, force) in state.contacts().iter().rev().zip(forces) {
+        // In a hole of 12 1/4 in that is rounded to a hundredth of a millimetre.
+        assert!((it.normal() - force).abs() <= 1e-4 * force, "{it:?}");
+    }
+    // A hanging one does not lie.
+    let sweep = Sweep::read(&Path::new(folder).join("well_12in_contacts.toml")).unwrap();
+    assert!(sweep.setting.lying_string(&sweep.conditions).is_none());
+}
+
+#[test]
+fn an_inclination_that_a_well_does_not_have_is_refused_with_its_line() {
+    let with_well = |keys: &str| with("[well]\n", &format!("[well]\n{keys}\n"), "");
+    let steep = with_well("inclination_deg = 181");
+    let message = "181 ° is not between 0 and 180 °";
+    is_refused(&steep, "inclination_deg", "well.inclination_deg", message);
+    let both = with_well("inclination_deg = 30\nsurvey = \"survey.csv\"");
+    let message = "conflicts with `inclination_deg`: give only one";
+    is_refused(&both, "survey =", "survey", message);
+    assert!(
+        read(&with_well("inclination_deg = 30"))
+            .unwrap()
+            .setting
+            .lying
+            .is_some()
+    );
+}
+
 /// A mistake: the file, a piece of the wrong line, its key, and the message.
 #[track_caller]
 fn is_refused(text: &str, at: &str, key: &str, expected: &str) {

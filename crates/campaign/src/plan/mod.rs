@@ -22,6 +22,7 @@ mod impulses;
 #[cfg(test)]
 mod in_hole;
 mod lateral;
+mod lying;
 mod map;
 mod methods;
 mod motor;

@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use linear::estimates::torsional_travel_time;
 use linear::{Drillstring, Sites};
 use sim::{MudMotor, SurfaceProfile};
+use statics::{LyingString, StaticsError};
 
 use super::axial_force::Hanging;
 use super::bit::{Bit, Cut};
@@ -14,6 +15,7 @@ use super::contacts::StringInHole;
 use super::cutting::{self, CuttingSettings};
 use super::data::Data;
 use super::lateral::{self, LateralSettings};
+use super::lying::{self, Lying};
 use super::motor;
 use super::string_friction::{self, StringFriction};
 use super::{axial_force, hole, sampling, sites, string, top_drive};
@@ -69,6 +71,8 @@ pub struct Setting {
     pub friction: Option<StringFriction>,
     /// How it hangs, where its axial force is modelled.
     pub hanging: Option<Hanging>,
+    /// What it lies in, where the course of the well is known and it may touch its wall.
+    pub lying: Option<Lying>,
     /// Lateral motion, where it is modelled.
     pub lateral: Option<LateralSettings>,
     /// Axial motion above a bit that cuts, where it is modelled.
@@ -97,6 +101,19 @@ impl Setting {
     pub fn steps_shown(&self) -> usize {
         let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&self.string);
         (shown * self.sampling_frequency).ceil() as usize
+    }
+
+    /// The string as it lies in its hole under the conditions of a case, where the course of its well
+    /// is known.
+    ///
+    /// # Errors
+    /// Where sites are too close to each other.
+    pub fn lying_string(
+        &self,
+        conditions: &Conditions,
+    ) -> Option<Result<LyingString, StaticsError>> {
+        let (lying, lateral) = (self.lying.as_ref()?, self.lateral.as_ref()?);
+        Some(lying.string((&self.string, &self.sites), lateral, conditions))
     }
 
     /// The same, sampled at another frequency, Hz.
@@ -164,6 +181,7 @@ impl Setting {
             string,
             lateral.as_ref(),
         )?;
+        let lying = lying::resolve(source, (data, mud), &string, lateral.as_ref())?;
         let friction = string_friction::resolve(
             source,
             content,
@@ -196,6 +214,7 @@ impl Setting {
             rotor_inertia,
             friction,
             hanging,
+            lying,
             lateral,
             cutting,
             motor,
