@@ -72,13 +72,22 @@ fn an_inspection_says_how_a_string_lies_in_its_hole() {
         assert!(text.output.contains(&words), "{words}\n{}", text.output);
     }
     let sites = std::fs::read_to_string(place.path("out/static_contacts.csv")).unwrap();
-    let forces = sites
-        .lines()
-        .skip(1)
-        .map(|line| line.split(',').next_back().unwrap());
-    let forces: Vec<f64> = forces.map(|force| force.parse().unwrap()).collect();
+    let sum = |column: usize| -> f64 {
+        let fields = sites.lines().skip(1);
+        let fields = fields.map(|line| line.split(',').nth(column).unwrap());
+        let given = fields.filter(|field| !field.is_empty());
+        given.map(|field| field.parse::<f64>().unwrap()).sum()
+    };
     let pressed: f64 = contacts.iter().map(|it| number(&it["force_kn"])).sum();
-    assert!((forces.iter().sum::<f64>() - pressed).abs() < 1e-9);
+    assert!((sum(4) - pressed).abs() < 1e-9);
+    // A string without stiffness presses with as much, but for what the surface holds.
+    assert!((sum(5) / pressed - 1.0).abs() < 0.1, "{} {pressed}", sum(5));
+    // Sliding it climbs to where friction holds it, and presses less.
+    let torque = number(&lying["turning"]["friction_torque_knm"]);
+    let radius = torque / (0.3 * sum(6));
+    assert!((0.1..0.15).contains(&radius), "{radius}");
+    let less = sum(6) / pressed * 1.09f64.sqrt();
+    assert!((less - 1.0).abs() < 0.03, "{less}");
     let along = std::fs::read_to_string(place.path("out/static_string.csv")).unwrap();
     assert!(along.starts_with("distance_from_bit_m,high_side_mm,right_mm,tension_kn,"));
     assert!(place.path("out/static_string.png").exists());

@@ -121,7 +121,8 @@ impl ContactState {
         match reached {
             // Held in the middle.
             0.0 => self.force[0].hypot(self.force[1]),
-            _ => -(self.force[0] * x + self.force[1] * y) / reached,
+            // Without the sign of a zero.
+            _ => 0.0 - (self.force[0] * x + self.force[1] * y) / reached,
         }
     }
 

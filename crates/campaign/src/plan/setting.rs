@@ -116,6 +116,20 @@ impl Setting {
         Some(lying.string((&self.string, &self.sites), lateral, conditions))
     }
 
+    /// The dynamic coefficients of friction of its walls, from the surface down, where it has walls
+    /// and all are known.
+    pub fn sliding_frictions(&self, conditions: &Conditions) -> Option<Vec<f64>> {
+        lying::frictions(self.lateral.as_ref()?, conditions)
+    }
+
+    /// What a string without stiffness in bending presses on its hole with up to a distance from the
+    /// bit (m), shared out to the nearest of some places (m from the bit, from the surface down), N;
+    /// none where the course of the well is not known.
+    pub fn soft_forces(&self, conditions: &Conditions, places: (&[f64], f64)) -> Option<Vec<f64>> {
+        let (lying, lateral) = (self.lying.as_ref()?, self.lateral.as_ref()?);
+        Some(lying.soft_forces(&self.string, (lateral, conditions), places))
+    }
+
     /// The same, sampled at another frequency, Hz.
     pub fn sampled_at(&self, sampling_frequency: f64) -> Self {
         Self {

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use serde::Serialize;
-use statics::{ContactState, Place, StaticState};
+use statics::{ContactState, LyingString, Place, StaticState, StaticsError};
 
 use super::rows::row;
 use crate::commands::csv_table::csv_table;
@@ -48,6 +48,17 @@ pub struct AtRest {
     /// Whether nothing but its contacts keeps it from buckling.
     buckles_without_contacts: bool,
     is_stable: bool,
+    /// In steady rotation, sliding on all that it touches, where friction is known.
+    turning: Option<Turning>,
+}
+
+/// A string that turns and slides where it lies.
+#[derive(Serialize)]
+struct Turning {
+    /// Of all contacts.
+    friction_torque_knm: f64,
+    /// From the low side, of the contact that climbs least, and of that which climbs most.
+    climb_deg: [f64; 2],
 }
 
 /// The greatest of what varies along the string.
@@ -71,21 +82,36 @@ pub struct LyingView<'a> {
     sweep: &'a Sweep,
     state: StaticState,
     buckles_without_contacts: bool,
+    /// The same turning, where that is found.
+    sliding: Option<StaticState>,
+    /// What a string without stiffness presses each contact with that touches, N; none of others.
+    soft: Vec<Option<f64>>,
 }
 
 impl<'a> LyingView<'a> {
     /// That of a sweep, if the course of its well is known and it may touch its wall; why it has
     /// none, where that is so.
     pub fn of(sweep: &'a Sweep) -> Option<Result<Self, String>> {
-        let lying = sweep.setting.lying_string(&sweep.conditions)?;
-        let found =
-            lying.and_then(|lying| Ok((lying.at_rest()?, lying.buckles_without_contacts())));
-        let view = |(state, buckles_without_contacts)| Self {
-            sweep,
-            state,
-            buckles_without_contacts,
+        let (setting, conditions) = (&sweep.setting, &sweep.conditions);
+        let view = |lying: LyingString| {
+            let state = lying.at_rest()?;
+            let frictions = setting.sliding_frictions(conditions);
+            let touching = state.contacts().iter().filter(|it| it.touches);
+            let places: Vec<f64> = touching.map(|it| it.contact.distance_from_bit).collect();
+            let soft = setting.soft_forces(conditions, (&places, state.top()));
+            let mut soft = soft.unwrap_or_default().into_iter();
+            let contacts = state.contacts().iter();
+            let soft = contacts.map(|it| it.touches.then(|| soft.next()).flatten());
+            Ok::<_, StaticsError>(Self {
+                sweep,
+                buckles_without_contacts: lying.buckles_without_contacts(),
+                sliding: frictions.and_then(|it| lying.sliding_with(&it).ok()),
+                soft: soft.collect(),
+                state,
+            })
         };
-        Some(found.map(view).map_err(|error| error.to_string()))
+        let found = setting.lying_string(conditions)?.and_then(view);
+        Some(found.map_err(|error| error.to_string()))
     }
 
     /// Its numbers.
@@ -114,6 +140,7 @@ impl<'a> LyingView<'a> {
             greatest_von_mises_mpa: greatest(1e-6, state.greatest_von_mises(to)),
             buckles_without_contacts: self.buckles_without_contacts,
             is_stable: state.is_stable(),
+            turning: self.sliding.as_ref().map(Turning::of),
         }
     }
 
@@ -164,6 +191,12 @@ impl<'a> LyingView<'a> {
             let pressed = force.number(1e-3 * it.normal());
             [(distance, 0.0), (distance, pressed), (f64::NAN, f64::NAN)]
         });
+        let soft = contacts()
+            .zip(self.soft.iter().rev())
+            .filter_map(|(it, soft)| {
+                let distance = length.number(it.contact.distance_from_bit);
+                soft.map(|pressed| (distance, force.number(1e-3 * pressed)))
+            });
         [
             panel(
                 format!("Displacement ({})", width.name),
@@ -179,7 +212,10 @@ impl<'a> LyingView<'a> {
             ),
             panel(
                 format!("Contact force ({})", force.name),
-                vec![Series::new("contact force", stems.collect())],
+                vec![
+                    Series::new("contact force", stems.collect()),
+                    Series::new("string without stiffness", soft.collect()),
+                ],
                 Vec::new(),
             ),
             panel(
@@ -222,16 +258,44 @@ impl<'a> LyingView<'a> {
     /// # Errors
     /// Where memory does not take it.
     pub fn contacts_csv(&self) -> Result<Vec<u8>> {
-        csv_table(self.state.contacts().iter().rev().map(|it| {
+        let sites = self.state.contacts().iter().enumerate().rev();
+        let of_soft =
+            |force: Option<f64>| force.map_or_else(String::new, |force| (1e-3 * force).to_string());
+        csv_table(sites.map(|(site, it)| {
             let [high, right] = it.by_high_side(it.displacement);
+            let sliding = self.sliding.as_ref().map(|state| state.contacts()[site]);
+            let sliding = sliding.filter(|it| it.touches);
+            let of_sliding = |value: &dyn Fn(ContactState) -> f64| {
+                sliding.map_or_else(String::new, |it| value(it).to_string())
+            };
             [
                 ("site_from_bit_m", it.contact.distance_from_bit.to_string()),
                 ("clearance_mm", (1e3 * it.contact.clearance).to_string()),
                 ("high_side_mm", (1e3 * high).to_string()),
                 ("right_mm", (1e3 * right).to_string()),
                 ("force_kn", (1e-3 * it.normal()).to_string()),
+                ("soft_string_kn", of_soft(self.soft[site])),
+                ("sliding_force_kn", of_sliding(&|it| 1e-3 * it.normal())),
+                (
+                    "sliding_climb_deg",
+                    of_sliding(&|it| it.climb().to_degrees()),
+                ),
             ]
         }))
+    }
+}
+
+impl Turning {
+    fn of(state: &StaticState) -> Self {
+        let touching = state.contacts().iter().filter(|it| it.touches);
+        let climbs = touching.map(|it| it.climb().to_degrees());
+        let (least, greatest) = climbs.fold((f64::INFINITY, f64::NEG_INFINITY), |ends, climb| {
+            (ends.0.min(climb), ends.1.max(climb))
+        });
+        Self {
+            friction_torque_knm: 1e-3 * state.friction_torque(),
+            climb_deg: [least, greatest],
+        }
     }
 }
 
@@ -311,8 +375,14 @@ impl AtRest {
                 format!("{} of {}", self.contacts.len(), counted(self.sites, "site")),
             ),
         ];
+        let turning = self.turning.iter().map(|turning| {
+            let [least, greatest] = turning.climb_deg;
+            let torque = moment.text(turning.friction_torque_knm, 2);
+            let value = format!("climbs by {least:.1}° to {greatest:.1}°, takes {torque}");
+            row(2, "turning, sliding on these", &value)
+        });
         let lines = rows.iter().map(|(title, value)| row(2, title, value));
-        lines.collect::<String>() + &self.contact_lines([&length, &force])
+        lines.chain(turning).collect::<String>() + &self.contact_lines([&length, &force])
     }
 
     fn contact_lines(&self, [length, force]: [&Unit; 2]) -> String {
