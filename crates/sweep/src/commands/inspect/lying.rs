@@ -9,7 +9,7 @@ use crate::commands::csv_table::csv_table;
 use campaign::plan::Sweep;
 use campaign::quantities::{FORCE, LENGTH, STRESS, TORQUE, Unit, Units, WIDTH};
 use campaign::words::counted;
-use plot::{Axis, Look, Panel, Picture, Series, Wall, panels};
+use plot::{Axis, LineStyle, Look, Panel, Picture, Series, Wall, panels};
 
 /// Of more contacts that touch only this number, those next to the bit, have a line each.
 const MOST_LINES: usize = 20;
@@ -175,16 +175,18 @@ impl<'a> LyingView<'a> {
             walls,
             is_difference: false,
         };
-        let rings = |sign: f64| Wall {
-            name: "clearance, sites as rings".to_owned(),
-            line: Vec::new(),
-            known: contacts()
-                .map(|it| {
-                    let clearance = sign * 1e3 * it.contact.clearance;
-                    let distance = it.contact.distance_from_bit;
-                    (length.number(distance), width.number(clearance))
-                })
-                .collect(),
+        let wall = |sign: f64| {
+            let points = contacts().map(|it| {
+                let clearance = sign * 1e3 * it.contact.clearance;
+                let distance = it.contact.distance_from_bit;
+                (length.number(distance), width.number(clearance))
+            });
+            let points: Vec<(f64, f64)> = points.collect();
+            Wall {
+                name: "clearance, sites as rings".to_owned(),
+                line: points.clone(),
+                known: points,
+            }
         };
         let stems = contacts().filter(|it| it.touches).flat_map(|it| {
             let distance = length.number(it.contact.distance_from_bit);
@@ -208,13 +210,14 @@ impl<'a> LyingView<'a> {
                         1e3 * it.by_high_side(it.displacement)[1]
                     }),
                 ],
-                vec![rings(1.0), rings(-1.0)],
+                vec![wall(1.0), wall(-1.0)],
             ),
             panel(
                 format!("Contact force ({})", force.name),
                 vec![
-                    Series::new("contact force", stems.collect()),
-                    Series::new("string without stiffness", soft.collect()),
+                    Series::new("contact force", stems.collect()).styled(LineStyle::numbered(2, 0)),
+                    Series::new("string without stiffness", soft.collect())
+                        .styled(LineStyle::grey(1)),
                 ],
                 Vec::new(),
             ),
@@ -378,7 +381,7 @@ impl AtRest {
         let turning = self.turning.iter().map(|turning| {
             let [least, greatest] = turning.climb_deg;
             let torque = moment.text(turning.friction_torque_knm, 2);
-            let value = format!("climbs by {least:.1}° to {greatest:.1}°, takes {torque}");
+            let value = format!("{least:.1}° to {greatest:.1}° from the low side, takes {torque}");
             row(2, "turning, sliding on these", &value)
         });
         let lines = rows.iter().map(|(title, value)| row(2, title, value));
