@@ -7,6 +7,7 @@ mod command_line;
 mod cutting;
 mod documents;
 mod export;
+mod lying;
 mod motor;
 mod sensitivity;
 mod trace;

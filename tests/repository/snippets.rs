@@ -30,7 +30,7 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 22] = [
+const SNIPPETS: [Snippet; 23] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
     snippet(
@@ -84,7 +84,12 @@ const SNIPPETS: [Snippet; 22] = [
     },
     snippet(
         "docs/well.md",
-        "sites_to_m",
+        "inclination_deg",
+        After::Base("well_12in_contacts.toml"),
+    ),
+    snippet(
+        "docs/well.md",
+        "wherever the string",
         After::Base("well_12in_contacts.toml"),
     ),
     snippet(

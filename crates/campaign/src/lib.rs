@@ -24,7 +24,7 @@
 //! next, `run` is what a run builds before its first case, `words` are for people.
 //!
 //! It is the inside of one program in several crates: items follow what the shells need, and
-//! promise nothing to others. The libraries are `linear` and `sim`.
+//! promise nothing to others. The libraries are `linear`, `sim` and `statics`.
 //!
 //! A sweep from its text to its labels, the text of a file being what
 //! [`read_text`](text_file::read_text) has of it:

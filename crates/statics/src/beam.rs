@@ -27,6 +27,10 @@ const LONGEST_ELEMENT: f64 = 0.5;
 /// a contact is taken to be there.
 const SHORTEST_ELEMENT: f64 = 2e-3;
 
+/// Of this number of distances between the highest contacts half of the greatest is left above them: ends
+/// of a tool joint are close to each other.
+const HIGHEST_GAPS: usize = 3;
+
 /// Unknowns of a node: displacement and slope along either axis.
 pub(crate) const FREEDOMS: usize = 4;
 
@@ -233,8 +237,9 @@ fn top(string: &Drillstring, top: Top, contacts: &[Contact]) -> f64 {
         Top::Automatic => {
             let distances: Vec<f64> = contacts.iter().map(|it| it.distance_from_bit).collect();
             let highest = distances.first().copied().unwrap_or(0.0);
-            let next = distances.get(1).copied().unwrap_or(0.0);
-            (highest + 0.5 * (highest - next)).max(Top::LEAST)
+            let gaps = distances.windows(2).take(HIGHEST_GAPS);
+            let widest = gaps.map(|pair| pair[0] - pair[1]).fold(0.0, f64::max);
+            (highest + 0.5 * widest).max(Top::LEAST)
         }
     };
     distance.min(length)

@@ -23,7 +23,7 @@ pub struct Conditions {
     pub course: Course,
     /// The mud, which buoys the string; the same inside and outside.
     pub mud: Option<Mud>,
-    /// Weight on bit W, N.
+    /// Weight on bit W, N; where negative, the bit is pulled.
     pub weight_on_bit: f64,
     /// Torque along the string, N m, for stress alone: its effect on bending is left out.
     pub torque: f64,
@@ -50,8 +50,8 @@ pub enum Bit {
 /// Where the modelled part of the string ends.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Top {
-    /// At least 150 m above the bit, beyond the highest contact by half of its distance from the
-    /// next: an end close to a contact would lift it off.
+    /// At least 150 m above the bit, beyond the highest contact by half of the greatest of the three
+    /// distances between the highest four: an end close to a contact would lift it off.
     #[default]
     Automatic,
     /// At a distance from the bit, m; contacts above are left out.

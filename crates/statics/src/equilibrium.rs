@@ -75,7 +75,9 @@ pub(crate) struct Equilibrium<'a> {
     beam: &'a Beam,
     contacts: &'a [Contact],
     pub(crate) weight_on_bit: f64,
-    pub(crate) friction: f64,
+    /// Coefficient of friction at each contact; positive where it slides as a string does that turns
+    /// clockwise.
+    pub(crate) frictions: Vec<f64>,
     /// Displacement and slope along the first axis, then along the second, of each node.
     pub(crate) moved: Vec<f64>,
     touches: Vec<Touch>,
@@ -96,7 +98,7 @@ impl<'a> Equilibrium<'a> {
             beam,
             contacts,
             weight_on_bit,
-            friction: 0.0,
+            frictions: vec![0.0; contacts.len()],
             moved: vec![0.0; beam.size()],
             touches: vec![Touch::Off; contacts.len()],
         };
@@ -193,14 +195,14 @@ impl<'a> Equilibrium<'a> {
                 stiffness,
                 self.place(contact),
             )
-            .force(self.slip()),
+            .force(self.slip(contact)),
         };
         (0..self.contacts.len()).map(force).collect()
     }
 
     /// m of the front page.
-    fn slip(&self) -> f64 {
-        -self.friction
+    fn slip(&self, contact: usize) -> f64 {
+        -self.frictions[contact]
     }
 
     /// The step to where a tangent would be in equilibrium, and which of its pivots are negative.
@@ -219,9 +221,8 @@ impl<'a> Equilibrium<'a> {
             }
         }
         let mut right: Vec<f64> = self.keeping().iter().map(|it| -it).collect();
-        let slip = self.slip();
         for contact in 0..self.contacts.len() {
-            let first = self.first(contact);
+            let (first, slip) = (self.first(contact), self.slip(contact));
             let (one, other) = (first, first + 2);
             match self.touches[contact] {
                 Touch::Off => {}
@@ -417,9 +418,9 @@ impl<'a> Equilibrium<'a> {
     /// What equilibrium makes least: without friction the energy, J; with it, what is out of
     /// balance, N.
     fn merit(&self) -> f64 {
-        match self.friction {
-            0.0 => self.energy(),
-            _ => self.out_of_balance(),
+        match self.frictions.iter().all(|it| *it == 0.0) {
+            true => self.energy(),
+            false => self.out_of_balance(),
         }
     }
 
@@ -480,9 +481,8 @@ impl<'a> Equilibrium<'a> {
     /// Forces out of balance, where no rigid wall answers them: the root of their squares, N.
     fn out_of_balance(&self) -> f64 {
         let mut forces = self.keeping();
-        let slip = self.slip();
         for contact in 0..self.contacts.len() {
-            let first = self.first(contact);
+            let (first, slip) = (self.first(contact), self.slip(contact));
             let places = [first, first + 2];
             match self.touches[contact] {
                 Touch::Off => {}

@@ -33,6 +33,14 @@ pub enum StaticsError {
         /// The least distance between two, m.
         least: f64,
     },
+    /// There are not as many coefficients of friction as contacts.
+    #[error("{given} coefficients of friction are not those of {contacts} contacts")]
+    OtherContacts {
+        /// Coefficients.
+        given: usize,
+        /// Contacts.
+        contacts: usize,
+    },
     /// The bit is said to touch its hole, but has no clearance.
     #[error("the bit touches its hole, but no contact is 0 m from the bit")]
     NoContactAtBit,
@@ -68,6 +76,14 @@ pub enum StaticsError {
 /// Refuses what is not finite and positive.
 pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<(), StaticsError> {
     match value.is_finite() && value > 0.0 {
+        true => Ok(()),
+        false => Err(StaticsError::Quantity { quantity, value }),
+    }
+}
+
+/// Refuses what is not finite.
+pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<(), StaticsError> {
+    match value.is_finite() {
         true => Ok(()),
         false => Err(StaticsError::Quantity { quantity, value }),
     }

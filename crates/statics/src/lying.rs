@@ -6,7 +6,7 @@ use crate::beam::Beam;
 use crate::conditions::{Bit, Conditions, Top};
 use crate::contact::Contact;
 use crate::equilibrium::Equilibrium;
-use crate::error::{StaticsError, not_negative, positive};
+use crate::error::{StaticsError, finite, not_negative, positive};
 use crate::state::StaticState;
 
 /// Steps from no weight on bit to the whole, of a string that its contacts keep from buckling.
@@ -61,7 +61,7 @@ impl LyingString {
     ) -> Result<Self, StaticsError> {
         let length = string.length();
         positive("Young's modulus in Pa", conditions.youngs_modulus)?;
-        not_negative("weight on bit in N", conditions.weight_on_bit)?;
+        finite("weight on bit in N", conditions.weight_on_bit)?;
         not_negative("a torque in N m", conditions.torque)?;
         if let Top::At(distance) = conditions.top {
             positive("the distance of a cut from the bit in m", distance)?;
@@ -151,13 +151,30 @@ impl LyingString {
     /// # Errors
     /// As [`Self::at_rest`], and where friction is not finite.
     pub fn sliding(&self, friction: f64) -> Result<StaticState, StaticsError> {
-        not_negative("the amount of a friction", friction.abs())?;
+        self.sliding_with(&vec![friction; self.contacts.len()])
+    }
+
+    /// The same with a coefficient of friction for each contact, from the surface down.
+    ///
+    /// # Errors
+    /// As [`Self::sliding`], and where there are not as many as contacts.
+    pub fn sliding_with(&self, frictions: &[f64]) -> Result<StaticState, StaticsError> {
+        let (given, contacts) = (frictions.len(), self.contacts.len());
+        if given != contacts {
+            return Err(StaticsError::OtherContacts { given, contacts });
+        }
+        let amounts = frictions.iter().map(|friction| friction.abs());
+        let most = amounts.fold(0.0, f64::max);
+        for friction in frictions {
+            not_negative("the amount of a friction", friction.abs())?;
+        }
         let mut lying = self.resting()?;
-        let steps = (friction.abs() / STEP_OF_FRICTION).ceil();
+        let steps = (most / STEP_OF_FRICTION).ceil();
         for step in 1..=steps as usize {
-            lying.friction = friction * step as f64 / steps;
+            let part = step as f64 / steps;
+            lying.frictions = frictions.iter().map(|friction| part * friction).collect();
             if !(lying.settle_rigid() && lying.settle_hertzian()) {
-                return Err(self.not_found(lying.friction));
+                return Err(self.not_found(part * most));
             }
         }
         Ok(self.state(&lying))

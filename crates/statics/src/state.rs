@@ -4,6 +4,8 @@
 //! The moment between nodes comes from what keeps their elements in equilibrium and not from the
 //! curvature of the shape functions, which is off by a square of the length of elements.
 
+use std::f64::consts::{PI, TAU};
+
 use crate::beam::{Beam, Element, shapes, slopes};
 use crate::contact::Contact;
 use crate::equilibrium::Equilibrium;
@@ -47,6 +49,21 @@ pub struct Place {
     pub tension: f64,
     /// Stress.
     pub stress: Stress,
+    /// By which the high side there is turned from the first axis towards the second, rad.
+    pub high_side: f64,
+}
+
+impl Place {
+    /// A vector of this place along its own high side, and to the right of that looking down.
+    pub fn by_high_side(&self, vector: [f64; 2]) -> [f64; 2] {
+        by_high_side(self.high_side, vector)
+    }
+}
+
+/// A vector along axes that are turned by an angle, rad.
+fn by_high_side(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [cos * x + sin * y, cos * y - sin * x]
 }
 
 /// A string in equilibrium with its hole.
@@ -83,7 +100,7 @@ pub struct StaticState {
     moved: Vec<Bent>,
     weight_on_bit: f64,
     torque: f64,
-    friction: f64,
+    frictions: Vec<f64>,
     negative_pivots: [usize; 2],
 }
 
@@ -104,16 +121,21 @@ impl ContactState {
         match reached {
             // Held in the middle.
             0.0 => self.force[0].hypot(self.force[1]),
-            _ => -(self.force[0] * x + self.force[1] * y) / reached,
+            // Without the sign of a zero.
+            _ => 0.0 - (self.force[0] * x + self.force[1] * y) / reached,
         }
+    }
+
+    /// A vector of this contact along its own high side, and to the right of that looking down.
+    pub fn by_high_side(&self, vector: [f64; 2]) -> [f64; 2] {
+        by_high_side(self.high_side, vector)
     }
 
     /// How far up the hole it is, from its low side there to where a string climbs that turns
     /// clockwise looking down, rad; to the other side negative.
     pub fn climb(&self) -> f64 {
-        let (sin, cos) = self.high_side.sin_cos();
-        let [x, y] = self.displacement;
-        (cos * y - sin * x).atan2(-(cos * x + sin * y))
+        let [high, right] = self.by_high_side(self.displacement);
+        right.atan2(-high)
     }
 }
 
@@ -139,7 +161,7 @@ impl StaticState {
             beam: beam.clone(),
             weight_on_bit: lying.weight_on_bit,
             torque,
-            friction: lying.friction,
+            frictions: lying.frictions.clone(),
             negative_pivots: lying.negative_pivots(),
         }
     }
@@ -162,7 +184,8 @@ impl StaticState {
     /// Whether it stays where it is if it is pushed a little. Exact at rest; in sliding rotation
     /// no answer is known.
     pub fn is_stable(&self) -> bool {
-        self.friction == 0.0 && self.negative_pivots == [0, 0]
+        let slides = self.frictions.iter().any(|friction| *friction != 0.0);
+        !slides && self.negative_pivots == [0, 0]
     }
 
     /// In how many ways it would leave where it is at rest: in the plane of h, and across it. In a
@@ -173,8 +196,10 @@ impl StaticState {
 
     /// The torque with which friction at its contacts holds it back, N m.
     pub fn friction_torque(&self) -> f64 {
-        let torque = |it: &ContactState| self.friction * it.normal() * it.contact.radius;
-        self.contacts.iter().map(torque).sum()
+        let contacts = self.contacts.iter().zip(&self.frictions);
+        contacts
+            .map(|(it, friction)| friction * it.normal() * it.contact.radius)
+            .sum()
     }
 
     /// Force of the bit on the rock sideways, N: what holds it, the other way round.
@@ -291,8 +316,19 @@ impl StaticState {
             moment,
             tension,
             stress: Stress::new(&element.tube, tension, amount, self.torque),
+            high_side: between(
+                self.beam.high_side[upper],
+                self.beam.high_side[upper + 1],
+                part,
+            ),
         }
     }
+}
+
+/// An angle a part of the way from one to another, on the shorter way.
+fn between(one: f64, other: f64, part: f64) -> f64 {
+    let apart = (other - one + PI).rem_euclid(TAU) - PI;
+    one + part * apart
 }
 
 impl Bent {

@@ -74,7 +74,7 @@ impl Case {
                 None,
             ),
         };
-        let lying_start = sweep.starts.lying();
+        let lying_start = sweep.starts.lying(surface_speed);
         let mut timing = all.map_or(BY_DEFAULT, |all| {
             torsion_timing(&setting.string, surface_speed, &all, &start)
         });
@@ -83,11 +83,7 @@ impl Case {
             timing.duration = timing.duration.max(BY_DEFAULT.duration);
             timing.closing_window = timing.closing_window.max(BY_DEFAULT.closing_window);
         }
-        if setting
-            .lateral
-            .as_ref()
-            .is_some_and(|it| it.lying.is_some())
-        {
+        if setting.lying.is_some() {
             timing.duration = timing.duration.max(WHILE_IT_SWINGS.duration);
             timing.closing_window = timing.closing_window.max(WHILE_IT_SWINGS.closing_window);
         }
@@ -128,7 +124,7 @@ impl Case {
     /// Where one of them has no friction.
     pub fn at_sites_of(&self, setting: &Setting) -> Result<Self, CaseError> {
         let lateral = setting.lateral.as_ref();
-        let begins = self.starts.lying();
+        let begins = self.starts.lying(self.scene.surface_speed);
         let lateral =
             lateral.map(|settings| lateral_scene(setting, settings, &self.conditions, begins));
         let mut case = self.clone();
@@ -292,9 +288,9 @@ fn lateral_scene(
         Ok(impulse.with_amount(amount.ok_or(CaseError::Missing("ratio of impulse"))?))
     });
     let walls: Vec<Wall> = walls.collect::<Result<_, CaseError>>()?;
-    let lying = settings.lying.as_ref().map(|lying| {
-        let (string, sites) = (&setting.string, &setting.sites);
-        lying.in_case(string, sites, &walls, begins)
+    let lying = setting.lying.as_ref().map(|lying| {
+        let at = (&setting.string, &setting.sites);
+        lying.in_case(at, (settings, conditions), &walls, begins)
     });
     Ok(Lateral {
         walls,

@@ -173,8 +173,7 @@ pub fn shows_surface(sweep: &Sweep) -> bool {
 
 /// Whether the string of a sweep lies in its hole.
 pub fn shows_lying(sweep: &Sweep) -> bool {
-    let lateral = sweep.setting.lateral.as_ref();
-    lateral.is_some_and(|lateral| lateral.lying.is_some())
+    sweep.setting.lying.is_some()
 }
 
 /// Whether accelerations are measured in a sweep.

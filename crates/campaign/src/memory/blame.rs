@@ -179,7 +179,7 @@ fn suspects(sweep: &Sweep) -> Vec<(String, Change)> {
     if sweep.setting.sites.len() > 1 || which == SitesName::Auto {
         let key = match which {
             SitesName::Given => "sites",
-            SitesName::All | SitesName::Auto => "wall.sites",
+            SitesName::All | SitesName::Ends | SitesName::Auto => "wall.sites",
         };
         list.push((key.to_owned(), usual_sites));
     }

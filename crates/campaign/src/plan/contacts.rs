@@ -27,10 +27,22 @@ pub struct Contact {
 /// Which places are candidates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Candidates {
-    /// All of these many metres, from the bit up; left out, the middle of every wide part.
-    pub every: Option<f64>,
+    /// By what they are chosen.
+    pub at: CandidatePlaces,
     /// How far up from the bit, m.
     pub to: f64,
+}
+
+/// By what candidates are chosen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CandidatePlaces {
+    /// All of these many metres, from the bit up.
+    Every(f64),
+    /// The middle of every wide part: what is thrown against its wall touches about there.
+    Middles,
+    /// Both ends of every wide part, and the middle of blades: there a string touches that lies in
+    /// its hole.
+    Ends,
 }
 
 /// A part of the string that is as wide as its hole, or wider.
@@ -111,13 +123,16 @@ impl StringInHole<'_> {
 
     /// The candidates, from the bit up.
     pub fn candidates(&self, which: Candidates) -> impl Iterator<Item = Contact> {
-        let by_parts = which.every.is_none();
-        let of_parts = by_parts.then(|| self.middles_of_wide_parts(which.to));
-        let even = (which.every.into_iter())
-            .flat_map(|every| (0..).map(move |count| f64::from(count) * every));
+        let found: Box<dyn Iterator<Item = f64>> = match which.at {
+            CandidatePlaces::Every(every) => {
+                Box::new((0..).map(move |count| f64::from(count) * every))
+            }
+            CandidatePlaces::Middles => Box::new(self.middles_of_wide_parts(which.to)),
+            CandidatePlaces::Ends => Box::new(self.ends_of_wide_parts(which.to).into_iter()),
+        };
         let same_place = self.string.same_place();
         let below_surface = self.string.length() - same_place;
-        (of_parts.into_iter().flatten().chain(even))
+        found
             .map(|distance| to_decimals(distance, 1.0 / CANDIDATES_TO))
             .take_while(move |distance| {
                 *distance <= which.to + same_place && *distance < below_surface
@@ -224,6 +239,52 @@ impl StringInHole<'_> {
         })
     }
 
+    /// The middle of every part whose radius of contact is given, and both ends of every other that
+    /// is wider than a neighbour, where no such part is next to them and touches instead; from the
+    /// bit up to the first beyond a distance (m).
+    fn ends_of_wide_parts(&self, to: f64) -> Vec<f64> {
+        let parts: Vec<Hanging> = self.parts().take_while(|part| part.ends[0] <= to).collect();
+        let after = self.parts().nth(parts.len());
+        let parts: Vec<Hanging> = parts.into_iter().chain(after).collect();
+        let mut places: Vec<(f64, Hanging)> = Vec::new();
+        for (index, part) in parts.iter().enumerate() {
+            let middle = 0.5 * (part.ends[0] + part.ends[1]);
+            if part.is_given {
+                places.push((middle, *part));
+                continue;
+            }
+            let below = index.checked_sub(1).map(|below| parts[below]);
+            let above = parts.get(index + 1).copied();
+            let is_wider = |neighbour: Hanging| part.radius > neighbour.radius + SAME_RADIUS;
+            if [below, above].into_iter().flatten().any(is_wider) {
+                let is_free = |neighbour: Option<Hanging>| neighbour.is_none_or(|it| !it.is_given);
+                // The bit is for the file to say.
+                let is_end = is_free(below) && below.is_some();
+                places.extend(is_end.then_some((part.ends[0], *part)));
+                places.extend(is_free(above).then_some((part.ends[1], *part)));
+            }
+        }
+        // Where two wide parts meet, the wider touches.
+        places.dedup_by(|next, before| {
+            let is_same = next.0 - before.0 < CANDIDATES_TO;
+            if is_same && next.1.radius > before.1.radius {
+                *before = *next;
+            }
+            is_same
+        });
+        let within = |(place, part): (f64, Hanging)| {
+            let parts_of_metre = place / CANDIDATES_TO;
+            // The nearest may be beyond the end.
+            let inner = match place {
+                it if it == part.ends[0] => (parts_of_metre - 1e-6).ceil(),
+                it if it == part.ends[1] => (parts_of_metre + 1e-6).floor(),
+                _ => parts_of_metre,
+            };
+            inner * CANDIDATES_TO
+        };
+        places.into_iter().map(within).collect()
+    }
+
     /// All parts, from the bit up.
     fn parts(&self) -> impl Iterator<Item = Hanging> {
         let mut end = 0.0;
@@ -311,7 +372,21 @@ mod tests {
             sections,
             hole: &[],
         };
-        let found = in_hole.candidates(Candidates { every, to });
+        let at = every.map_or(CandidatePlaces::Middles, CandidatePlaces::Every);
+        let found = in_hole.candidates(Candidates { at, to });
+        found.map(|it| it.distance_from_bit).collect()
+    }
+
+    /// The same at the ends of wide parts.
+    fn ends(sections: &[SectionTable], to: f64) -> Vec<f64> {
+        let string = string(sections);
+        let in_hole = StringInHole {
+            string: &string,
+            sections,
+            hole: &[],
+        };
+        let at = CandidatePlaces::Ends;
+        let found = in_hole.candidates(Candidates { at, to });
         found.map(|it| it.distance_from_bit).collect()
     }
 
@@ -353,6 +428,30 @@ mod tests {
             &[(9.0, 0.1, None), (3.0, 0.09, None), (1.0, 0.08, None)],
         )];
         assert_eq!(candidates(&taper, None, everywhere), [2.5, 8.5]);
+    }
+
+    #[test]
+    fn a_string_that_lies_touches_with_the_ends_of_its_wide_parts() {
+        let everywhere = f64::INFINITY;
+        // The middle of blades; of the collars what pipe is above; of joints both ends.
+        let all = [1.0, 9.5, 17.5, 18.0, 27.5, 28.0, 37.5, 38.0];
+        assert_eq!(ends(&assembly(), everywhere), all);
+        assert_eq!(ends(&assembly(), 17.5), all[..3]);
+        assert_eq!(ends(&assembly(), 0.7), [0.0; 0]);
+        // Next to blades the blades touch.
+        let bladed = [section(
+            1,
+            &[
+                (9.0, 0.06, None),
+                (1.0, 0.08, None),
+                (1.0, 0.05, Some(0.1)),
+                (2.0, 0.06, None),
+            ],
+        )];
+        assert_eq!(ends(&bladed, everywhere), [2.5, 4.0]);
+        // The lower end of a wide bit is not one of them.
+        let bit = [section(1, &[(9.0, 0.06, None), (0.5, 0.1, None)])];
+        assert_eq!(ends(&bit, everywhere), [0.5]);
     }
 
     #[test]

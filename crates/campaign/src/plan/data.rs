@@ -18,6 +18,8 @@ use crate::sweep_file::{
 pub struct Data {
     /// The course of the well.
     pub survey: Option<Arc<Survey>>,
+    /// Whether the sweep file itself says it.
+    is_straight: bool,
     /// The speed of the surface, rpm.
     pub surface_speed: Option<Recording>,
     /// What cases are held against.
@@ -50,7 +52,7 @@ impl Data {
             .map(|file| read_survey(source, "well.survey", file, text_of))
             .transpose()?;
         let (survey, of_survey) = survey.unzip();
-        let survey = survey.or(inclined(source, content)?);
+        let straight = straight(source, content)?;
         let SurveyNotes { doubts, mut notes } = of_survey.unwrap_or_default();
         let (key, column) = (
             "surface_speed_file",
@@ -73,7 +75,8 @@ impl Data {
             }
         }
         Ok(Self {
-            survey: survey.map(Arc::new),
+            is_straight: straight.is_some(),
+            survey: survey.or(straight).map(Arc::new),
             surface_speed,
             comparisons,
             doubts,
@@ -95,9 +98,9 @@ impl Data {
                 .map(|comparison| &comparison.recorded),
         );
         let recorded: Vec<_> = recordings.map(|it| [it.times(), it.values()]).collect();
-        let survey = self.survey.as_ref().map(|survey| {
-            let station =
-                |it: &linear::well::Station| [it.measured_depth, it.inclination, it.azimuth];
+        let survey = self.survey.as_ref().filter(|_| !self.is_straight);
+        let survey = survey.map(|survey| {
+            let station = |it: &Station| [it.measured_depth, it.inclination, it.azimuth];
             survey.stations().iter().map(station).collect()
         });
         let is_there = survey.is_some() || !recorded.is_empty();
@@ -105,27 +108,21 @@ impl Data {
     }
 }
 
-/// The course of a well that is said to be straight and inclined.
-fn inclined(source: &Source, content: &FileContent) -> Result<Option<Survey>, SweepFileError> {
+/// The course of a well that the file says is straight, as deep as any string is long.
+fn straight(source: &Source, content: &FileContent) -> Result<Option<Survey>, SweepFileError> {
     let key = "well.inclination_deg";
-    let Some(well) = &content.well else {
+    let degrees = content.well.as_ref().and_then(|well| well.inclination_deg);
+    let Some(degrees) = degrees else {
         return Ok(None);
     };
-    let Some(inclination) = well.inclination_deg else {
-        return Ok(None);
-    };
-    let message = "conflicts with `well.survey`: give only one";
-    source.refuse_if(well.survey.is_some(), key, message)?;
-    let inclination = source
-        .within(key, inclination, 0.0, 90.0, "deg")?
-        .to_radians();
-    let station = |measured_depth| Station {
+    let inclination = source.within(key, degrees, 0.0, 180.0, "°")?.to_radians();
+    let station = |measured_depth: f64| Station {
         measured_depth,
         inclination,
         azimuth: 0.0,
     };
     let survey = Survey::new(vec![station(0.0), station(LONGEST_STRING)]);
-    Ok(Some(source.checked(key, survey)?))
+    source.checked(key, survey).map(Some)
 }
 
 /// A recording takes the place of all else that says how the surface turns, and lasts as long as

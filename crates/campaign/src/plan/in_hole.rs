@@ -145,6 +145,96 @@ fn the_shipped_string_touches_with_its_blades() {
     assert_eq!(found.len(), 24);
 }
 
+/// With its ends it touches where the independent reference of the static string has it.
+#[test]
+fn the_shipped_string_may_touch_with_the_ends_of_its_wide_parts() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps");
+    let file = Path::new(folder).join("well_12in_contacts.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let ends = text.replace("sites = \"all\"", "sites = \"ends\"");
+    // Where the impulse is, in the middle of a collar, is then no site.
+    let ends = ends.replace("distance_from_bit_m = 38.54", "distance_from_bit_m = 43.2");
+    let file = file.with_file_name("ends.toml");
+    let from = |path: &Path, _: u64| match path == file {
+        true => Ok(ends.clone()),
+        false => std::fs::read_to_string(path),
+    };
+    let sweep = Sweep::read_from(&file, &[], &from).unwrap();
+    let mut expected = problems::field_assembly::ends(200.0);
+    expected.sort_by(|a, b| a.distance_from_bit.total_cmp(&b.distance_from_bit));
+    let found = sites(&sweep.setting);
+    assert_eq!(found.len(), expected.len());
+    for ((distance, _, clearance_mm, radius), expected) in found.into_iter().zip(expected) {
+        assert!(
+            (distance - expected.distance_from_bit).abs() < 1e-3,
+            "{distance} {expected:?}"
+        );
+        assert!(
+            (1e-3 * clearance_mm - expected.clearance).abs() < 1e-9,
+            "{distance}"
+        );
+        // The bit's body is narrow.
+        assert!(
+            distance == 0.0 || (radius - expected.radius).abs() < 1e-9,
+            "{distance}"
+        );
+    }
+}
+
+/// In a straight well it lies as the independent reference of the static string has it, by the
+/// sites and the clearances of the file.
+#[test]
+fn the_shipped_string_lies_in_an_inclined_hole() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps");
+    let file = Path::new(folder).join("well_12in_contacts.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let inclined = text
+        .replace(
+            "hole_diameter_in = 12.25",
+            "hole_diameter_in = 12.25\ninclination_deg = 60",
+        )
+        .replace("density_ppg = 13.436", "density_kg_m3 = 1200")
+        .replace("sites_to_m = 200", "sites_to_m = 250");
+    let file = file.with_file_name("inclined.toml");
+    let from = |path: &Path, _: u64| match path == file {
+        true => Ok(inclined.clone()),
+        false => std::fs::read_to_string(path),
+    };
+    let sweep = Sweep::read_from(&file, &[], &from).unwrap();
+    let lying = sweep
+        .setting
+        .lying_string(&sweep.conditions)
+        .unwrap()
+        .unwrap();
+    let state = lying.at_rest().unwrap();
+    let forces = [995.4084, 10268.2199, 23023.5236, 0.0, 30904.9361];
+    for (it, force) in state.contacts().iter().rev().zip(forces) {
+        // In a hole of 12 1/4 in that is rounded to a hundredth of a millimetre.
+        assert!((it.normal() - force).abs() <= 1e-4 * force, "{it:?}");
+    }
+    // A hanging one does not lie.
+    let sweep = Sweep::read(&Path::new(folder).join("well_12in_contacts.toml")).unwrap();
+    assert!(sweep.setting.lying_string(&sweep.conditions).is_none());
+}
+
+#[test]
+fn an_inclination_that_a_well_does_not_have_is_refused_with_its_line() {
+    let with_well = |keys: &str| with("[well]\n", &format!("[well]\n{keys}\n"), "");
+    let steep = with_well("inclination_deg = 181");
+    let message = "181 ° is not between 0 and 180 °";
+    is_refused(&steep, "inclination_deg", "well.inclination_deg", message);
+    let both = with_well("inclination_deg = 30\nsurvey = \"survey.csv\"");
+    let message = "conflicts with `inclination_deg`: give only one";
+    is_refused(&both, "survey =", "survey", message);
+    assert!(
+        read(&with_well("inclination_deg = 30"))
+            .unwrap()
+            .setting
+            .lying
+            .is_some()
+    );
+}
+
 /// A mistake: the file, a piece of the wrong line, its key, and the message.
 #[track_caller]
 fn is_refused(text: &str, at: &str, key: &str, expected: &str) {
@@ -256,15 +346,19 @@ fn no_candidates_or_too_many_are_refused_with_their_line() {
         key,
         "more than 2000 candidates: `sites_to_m` ends",
     );
-    for name in ["sites_every_m", "sites_to_ft"] {
+    for (name, message) in [
+        ("sites_every_m", "needs `sites = \"all\"` or `\"auto\"`"),
+        (
+            "sites_to_ft",
+            "needs `sites = \"all\"`, `\"ends\"` or `\"auto\"`",
+        ),
+    ] {
         let idle = IN_HOLE.replace("sites = \"all\"", &format!("{name} = 9"));
-        is_refused(
-            &idle,
-            name,
-            &format!("wall.{name}"),
-            "needs `sites = \"all\"` or `\"auto\"`",
-        );
+        is_refused(&idle, name, &format!("wall.{name}"), message);
     }
+    let even = IN_HOLE.replace("sites = \"all\"", "sites = \"ends\"\nsites_every_m = 9");
+    let message = "even distances need `\"all\"` or `\"auto\"`";
+    is_refused(&even, "sites_every_m", "wall.sites_every_m", message);
     let cutting = "[bit]\ntorque_dynamic_nm = 2000\n";
     is_refused(
         &(IN_HOLE.to_owned() + cutting),

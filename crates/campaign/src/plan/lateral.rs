@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use linear::well::GRAVITY;
 use linear::{Bending, Sites, SurfaceSupport};
 use sim::EccentricMass;
 
@@ -10,7 +11,6 @@ use super::conditions::Conditions;
 use super::contacts::StringInHole;
 use super::finding::{self, Finding};
 use super::impulses::{self, ImpulseSettings};
-use super::lying::LyingSettings;
 use super::sites::Places;
 use super::wall::{self, WallSettings};
 use crate::design::Design;
@@ -18,6 +18,9 @@ use crate::quantities::{Axis, StringAxis, WallQuantity};
 use crate::sweep_file::{
     BendingTable, EccentricMassTable, FileContent, NoPlace, Source, SupportName, SweepFileError,
 };
+
+/// The acceleration beyond which a shock is counted, where the file does not say it, in g.
+const SHOCK_G: f64 = 25.0;
 
 /// The lateral part of a sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,8 +36,6 @@ pub struct LateralSettings {
     pub clearances: Arc<[(f64, f64)]>,
     /// How further sites are found, where they are.
     pub finding: Option<Finding>,
-    /// How it lies in its hole, where it does.
-    pub lying: Option<LyingSettings>,
     /// The acceleration, m/s², beyond which a shock is counted, where accelerations are measured.
     pub shocks: Option<f64>,
     /// Impulses.
@@ -106,12 +107,19 @@ pub fn resolve(
         walls,
         clearances: clearances(content, in_hole).into(),
         finding: finding::resolve(source, content, in_hole, found)?,
-        // Both follow from the axial force.
-        lying: None,
-        shocks: None,
+        shocks: shocks(source, content)?,
         impulses,
         eccentric_masses,
     }))
+}
+
+/// The acceleration, m/s², beyond which a shock is counted, where accelerations are measured.
+fn shocks(source: &Source, content: &FileContent) -> Result<Option<f64>, SweepFileError> {
+    let given = content.wall.and_then(|wall| wall.shock_g);
+    let by_default = content.lies_on_low_side().then_some(SHOCK_G);
+    let shock = given.or(by_default);
+    let within = |shock| source.within("wall.shock_g", shock, 1e-3, 1e5, "g");
+    Ok(shock.map(within).transpose()?.map(|shock| shock * GRAVITY))
 }
 
 /// The clearance along the string as `[wall]` says it, as corners.

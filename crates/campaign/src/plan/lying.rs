@@ -1,113 +1,203 @@
-//! A string that lies on the low side of its hole: of an inclined well, with a wall.
+//! A string that lies in its hole: in a well whose course is known, on the walls of its sites.
 
 use linear::bending_modes::holding_spring;
-use linear::well::Survey;
-use linear::{Bending, Drillstring, Mud, Sites, SurfaceSupport};
-use sim::{Lying, Wall};
-use statics::{
-    Bit, Conditions, Contact, ContactState, Course, LyingString, StaticState, StaticsError,
-};
+use linear::well::{PressedBy, SideForce, Survey};
+use linear::{Drillstring, Mud, Sites};
+use sim::Wall;
+use statics::{Bit, Contact, ContactState, Course, LyingString, StaticState, StaticsError};
 
+use super::conditions::Conditions;
+use super::data::Data;
 use super::hole::survey_along;
 use super::lateral::LateralSettings;
-use crate::plan::Data;
+use super::wall::WallSettings;
 use crate::sweep_file::{FileContent, Source, SweepFileError};
-
-/// The acceleration beyond which a shock is counted, where the file does not say it, in g.
-const SHOCK_G: f64 = 25.0;
 
 /// The part of its clearance by which a site that does not touch is kept from its wall, so that no
 /// rounding makes it touch.
 const KEPT_OFF: f64 = 1e-12;
 
-/// How a string lies, but for what a case says of its walls.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LyingSettings {
-    conditions: Conditions,
-}
-
 /// How a case begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LyingStart {
     /// Lying as at rest.
     AtRest,
-    /// Sliding steadily on its walls, clockwise looking down.
-    Sliding,
+    /// Sliding steadily on its walls as its surface turns, rad/s, clockwise looking down.
+    Sliding(f64),
 }
 
-impl LyingSettings {
-    /// The string at walls, by their distances from the bit (m).
+/// What a string lies in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lying {
+    /// The course of its hole.
+    survey: Survey,
+    /// What buoys it.
+    mud: Option<Mud>,
+}
+
+/// What the string of a setting with a wall lies in, where the course of its well is known.
+///
+/// # Errors
+/// Where the survey is shorter than the string.
+pub fn resolve(
+    source: &Source,
+    content: &FileContent,
+    (data, mud): (&Data, Option<Mud>),
+    string: &Drillstring,
+    lateral: Option<&LateralSettings>,
+) -> Result<Option<Lying>, SweepFileError> {
+    if lateral.is_none() || !content.lies_on_low_side() {
+        let message = "says whether a string lies in an inclined well: needs `well.survey` or \
+                       `well.inclination_deg`";
+        let is_said = content.wall.and_then(|wall| wall.lies_on_low_side) == Some(true);
+        source.refuse_if(is_said, "wall.lies_on_low_side", message)?;
+        return Ok(None);
+    }
+    let message = "is relative to what brings a string from the middle of its hole to its wall; one \
+                   that lies there needs `amount_ns` instead";
+    for (index, impulse) in content.impulses.iter().enumerate() {
+        let key = format!("impulses[{index}].ratio");
+        source.refuse_if(impulse.amount_ns.is_none(), &key, message)?;
+    }
+    let survey = survey_along(source, data, string)?;
+    Ok(survey.map(|survey| Lying {
+        survey: survey.clone(),
+        mud,
+    }))
+}
+
+impl Lying {
+    /// The string as it lies there under the conditions of a case, on the walls of its sites; the bit
+    /// too, where that is one of them.
     ///
     /// # Errors
-    /// Where they are not those of a string.
+    /// Where sites are too close to each other.
     pub fn string(
         &self,
-        string: &Drillstring,
-        sites: &Sites,
-        walls: &[Wall],
+        (string, sites): (&Drillstring, &Sites),
+        lateral: &LateralSettings,
+        conditions: &Conditions,
     ) -> Result<LyingString, StaticsError> {
-        let places = sites.distances_from_bit().iter().zip(walls);
-        let contact = |(&distance_from_bit, wall): (&f64, &Wall)| Contact {
-            distance_from_bit,
-            clearance: wall.clearance,
-            radius: wall.radius,
-            stiffness: Some(wall.stiffness).filter(|stiffness| stiffness.is_finite()),
-        };
-        let contacts: Vec<Contact> = places.map(contact).collect();
         let bit = match sites.bit_site() {
             Some(_) => Bit::Contact,
             None => Bit::Free,
         };
-        let conditions = Conditions {
+        let course = Course::Surveyed(self.survey.clone());
+        let around = statics::Conditions {
+            mud: self.mud,
+            weight_on_bit: pushed(lateral, conditions),
             bit,
-            ..self.conditions.clone()
+            ..statics::Conditions::new(lateral.bending.youngs_modulus, course)
         };
-        LyingString::new(string, &conditions, &contacts)
+        LyingString::new(string, &around, &contacts(sites, lateral, conditions))
     }
+}
 
+impl Lying {
     /// How a case finds it at its walls.
     ///
     /// # Errors
     /// Where there is no such state.
     pub fn in_case(
         &self,
-        string: &Drillstring,
-        sites: &Sites,
+        at: (&Drillstring, &Sites),
+        (lateral, conditions): (&LateralSettings, &Conditions),
         walls: &[Wall],
         begins: LyingStart,
-    ) -> Result<Lying, StaticsError> {
-        let lying = self.string(string, sites, walls)?;
-        let friction = match begins {
-            LyingStart::AtRest => 0.0,
-            LyingStart::Sliding => walls.iter().map(|wall| wall.friction).fold(0.0, f64::max),
+    ) -> Result<sim::Lying, StaticsError> {
+        let lying = self.string(at, lateral, conditions)?;
+        let frictions: Vec<f64> = match begins {
+            LyingStart::AtRest => vec![0.0; walls.len()],
+            LyingStart::Sliding(speed) => (walls.iter())
+                .map(|wall| wall.friction_at(wall.radius * speed.abs()).copysign(speed))
+                .collect(),
         };
-        let state = match friction {
-            0.0 => lying.at_rest()?,
-            friction => lying.sliding(friction)?,
+        let state = match begins {
+            LyingStart::AtRest => lying.at_rest()?,
+            LyingStart::Sliding(_) => lying.sliding_with(&frictions)?,
         };
-        Ok(as_walls_have_it(&state, walls, friction))
+        Ok(as_walls_have_it(&state, walls, &frictions))
+    }
+
+    /// What a string without stiffness in bending presses on the hole with, up to a distance from the
+    /// bit (m): at each of a number of places (m from the bit, from the surface down) what is nearer
+    /// to it than to others, N.
+    pub fn soft_forces(
+        &self,
+        string: &Drillstring,
+        (lateral, conditions): (&LateralSettings, &Conditions),
+        (places, top): (&[f64], f64),
+    ) -> Vec<f64> {
+        let soft = SideForce::new(string, &self.survey, self.mud, PressedBy::WeightAndTension);
+        let mut forces = vec![0.0; places.len()];
+        for [depth, force] in soft.forces(pushed(lateral, conditions)) {
+            let distance = string.length() - depth;
+            // From the surface down.
+            let below = places.partition_point(|place| *place > distance);
+            let off = |site: &usize| (places[*site] - distance).abs();
+            let near = [below.checked_sub(1), Some(below)].into_iter().flatten();
+            let nearest = near
+                .filter(|site| *site < places.len())
+                .min_by(|one, other| off(one).total_cmp(&off(other)));
+            if let Some(site) = nearest.filter(|_| distance <= top) {
+                forces[site] += force;
+            }
+        }
+        forces
     }
 }
 
+/// What pushes the string at its bit, N: pre-compression as a weight does.
+fn pushed(lateral: &LateralSettings, conditions: &Conditions) -> f64 {
+    1e3 * conditions.weight_on_bit_kn.unwrap_or(0.0) + lateral.bending.compression
+}
+
+/// The dynamic coefficient of friction at each site, from the surface down, where all are known.
+pub fn frictions(lateral: &LateralSettings, conditions: &Conditions) -> Option<Vec<f64>> {
+    let walls = lateral.walls.iter().map(|wall| wall.in_case(conditions));
+    walls
+        .map(|wall| Some(wall.friction? * wall.dynamic_ratio))
+        .collect()
+}
+
+/// The walls of sites, as contacts.
+fn contacts(sites: &Sites, lateral: &LateralSettings, conditions: &Conditions) -> Vec<Contact> {
+    let sites = sites.distances_from_bit().iter().zip(&lateral.walls);
+    let contact = |(distance_from_bit, wall): (&f64, &WallSettings)| {
+        let wall = wall.in_case(conditions);
+        Contact {
+            distance_from_bit: *distance_from_bit,
+            clearance: wall.clearance,
+            radius: wall.radius,
+            stiffness: wall.stiffness.is_finite().then_some(wall.stiffness),
+        }
+    };
+    sites.map(contact).collect()
+}
+
 /// A static state with the forces that the laws of the walls answer with where it is.
-fn as_walls_have_it(state: &StaticState, walls: &[Wall], friction: f64) -> Lying {
+fn as_walls_have_it(state: &StaticState, walls: &[Wall], frictions: &[f64]) -> sim::Lying {
     let contacts = state.contacts();
     let met = contacts.iter().zip(walls);
     let (positions, normals): (Vec<[f64; 2]>, Vec<f64>) =
         met.map(|(it, wall)| met_by(it, wall)).unzip();
-    let forces = positions.iter().zip(&normals).map(|([x, y], normal)| {
-        let radius = x.hypot(*y);
+    let rubbing = normals.iter().zip(frictions);
+    let along: Vec<f64> = rubbing
+        .map(|(normal, friction)| normal * friction)
+        .collect();
+    let pressed = positions.iter().zip(normals.iter().zip(&along));
+    let forces = pressed.map(|([x, y], (normal, along))| {
         if *normal == 0.0 {
             return [0.0; 2];
         }
+        let radius = x.hypot(*y);
         let [cos, sin] = [x / radius, y / radius];
-        let along = friction * normal;
         [-normal * cos + along * sin, -normal * sin - along * cos]
     });
-    let torque = |(normal, wall): (&f64, &Wall)| -friction * normal * wall.radius;
-    Lying {
+    let torque = |(along, wall): (&f64, &Wall)| -along * wall.radius;
+    sim::Lying {
         forces: forces.collect(),
-        torques: normals.iter().zip(walls).map(torque).collect(),
+        torques: along.iter().zip(walls).map(torque).collect(),
         low_side: (contacts.iter())
             .map(|it| it.high_side + std::f64::consts::PI)
             .collect(),
@@ -133,87 +223,22 @@ fn met_by(state: &ContactState, wall: &Wall) -> ([f64; 2], f64) {
     }
 }
 
-/// The string's lateral part as it lies, where it does, with springs at its sites where it buckles
-/// without its walls.
+/// The sites of a string that lies in its hole, with springs that keep it from buckling where it
+/// does without its walls.
 ///
 /// # Errors
-/// Where something needed is missing, or no state is found.
-pub(super) fn resolve(
+/// Where no springs at its sites keep it from buckling.
+pub fn held(
     source: &Source,
     content: &FileContent,
-    (data, mud): (&Data, Option<Mud>),
-    weight_on_bit: f64,
     string: &Drillstring,
-    (lateral, sites): (&mut Option<LateralSettings>, Sites),
+    (lateral, sites): (Option<&LateralSettings>, Sites),
 ) -> Result<Sites, SweepFileError> {
-    let Some(lateral) = lateral else {
+    let Some(lateral) = lateral.filter(|_| content.lies_on_low_side()) else {
         return Ok(sites);
     };
-    let wall = content.wall.unwrap_or_default();
-    let lies = content.lies_on_low_side();
-    let shock = wall.shock_g.or(lies.then_some(SHOCK_G));
-    if let Some(shock) = shock {
-        let shock = source.within("wall.shock_g", shock, 1e-3, 1e5, "g")?;
-        lateral.shocks = Some(shock * linear::well::GRAVITY);
-    }
-    let survey = match lies {
-        true => survey_along(source, data, string)?,
-        false => None,
-    };
-    let Some(survey) = survey else {
-        let message = "says whether a string lies in an inclined well: needs `well.survey` or \
-                       `well.inclination_deg`";
-        source.refuse_if(wall.lies_on_low_side == Some(true), LIES, message)?;
-        return Ok(sites);
-    };
-    refuse_others(source, content, &lateral.bending)?;
-    let lying = LyingSettings {
-        conditions: Conditions {
-            mud,
-            weight_on_bit,
-            ..Conditions::new(lateral.bending.youngs_modulus, course(survey))
-        },
-    };
-    let sites = held(source, string, (&lateral.bending, lateral.support), sites)?;
-    lateral.lying = Some(lying);
-    Ok(sites)
-}
-
-/// The key that says whether a string lies in its hole.
-const LIES: &str = "wall.lies_on_low_side";
-
-fn course(survey: &Survey) -> Course {
-    Course::Surveyed(survey.clone())
-}
-
-/// Refuses what goes with a string in the middle of its hole alone.
-fn refuse_others(
-    source: &Source,
-    content: &FileContent,
-    bending: &Bending,
-) -> Result<(), SweepFileError> {
-    let message = "the axial force of a string that lies in its hole follows from its weight: \
-                   needs a compression of 0";
-    let is_compressed = bending.compression != 0.0;
-    source.refuse_if(is_compressed, "string.bending.compression_kn", message)?;
-    let message = "is relative to what brings a string from the middle of its hole to its wall; one \
-                   that lies there needs `amount_ns` instead";
-    for (index, impulse) in content.impulses.iter().enumerate() {
-        let key = format!("impulses[{index}].ratio");
-        source.refuse_if(impulse.amount_ns.is_none(), &key, message)?;
-    }
-    Ok(())
-}
-
-/// The sites with springs that keep the string from buckling, where it buckles without its walls.
-fn held(
-    source: &Source,
-    string: &Drillstring,
-    (bending, support): (&Bending, SurfaceSupport),
-    sites: Sites,
-) -> Result<Sites, SweepFileError> {
-    let spring = source.checked("wall", holding_spring(string, bending, support, &sites))?;
-    match spring {
+    let spring = holding_spring(string, &lateral.bending, lateral.support, &sites);
+    match source.checked("wall", spring)? {
         Some(0.0) => Ok(sites),
         Some(spring) => {
             let springs = vec![spring; sites.len()];

@@ -97,10 +97,7 @@ fn is_measured(
             "a bit that cuts: `[bit.cutting]`",
         ),
         Needs::Lying => (
-            setting
-                .lateral
-                .as_ref()
-                .is_some_and(|it| it.lying.is_some()),
+            setting.lying.is_some(),
             "a string that lies in its hole: `well.survey` or `well.inclination_deg`, and `[wall]`",
         ),
         Needs::Shocks => (

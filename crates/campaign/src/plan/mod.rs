@@ -50,7 +50,7 @@ pub use data::Data;
 pub use finding::Finding;
 pub use impulses::{ImpulseAmount, ImpulseSettings, LARGEST_IMPULSE};
 pub use lateral::LateralSettings;
-pub use lying::{LyingSettings, LyingStart};
+pub use lying::{Lying, LyingStart};
 pub use map::{MapMark, MapSettings};
 pub use setting::Setting;
 pub use sheet::POUND_PER_FOOT;

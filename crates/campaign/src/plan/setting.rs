@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use linear::estimates::torsional_travel_time;
 use linear::{Drillstring, Sites};
 use sim::{MudMotor, SurfaceProfile};
+use statics::{LyingString, StaticsError};
 
 use super::axial_force::Hanging;
 use super::bit::{Bit, Cut};
@@ -14,7 +15,7 @@ use super::contacts::StringInHole;
 use super::cutting::{self, CuttingSettings};
 use super::data::Data;
 use super::lateral::{self, LateralSettings};
-use super::lying;
+use super::lying::{self, Lying};
 use super::motor;
 use super::string_friction::{self, StringFriction};
 use super::{axial_force, hole, sampling, sites, string, top_drive};
@@ -70,6 +71,8 @@ pub struct Setting {
     pub friction: Option<StringFriction>,
     /// How it hangs, where its axial force is modelled.
     pub hanging: Option<Hanging>,
+    /// What it lies in, where the course of the well is known and it may touch its wall.
+    pub lying: Option<Lying>,
     /// Lateral motion, where it is modelled.
     pub lateral: Option<LateralSettings>,
     /// Axial motion above a bit that cuts, where it is modelled.
@@ -98,6 +101,33 @@ impl Setting {
     pub fn steps_shown(&self) -> usize {
         let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&self.string);
         (shown * self.sampling_frequency).ceil() as usize
+    }
+
+    /// The string as it lies in its hole under the conditions of a case, where the course of its well
+    /// is known.
+    ///
+    /// # Errors
+    /// Where sites are too close to each other.
+    pub fn lying_string(
+        &self,
+        conditions: &Conditions,
+    ) -> Option<Result<LyingString, StaticsError>> {
+        let (lying, lateral) = (self.lying.as_ref()?, self.lateral.as_ref()?);
+        Some(lying.string((&self.string, &self.sites), lateral, conditions))
+    }
+
+    /// The dynamic coefficients of friction of its walls, from the surface down, where it has walls
+    /// and all are known.
+    pub fn sliding_frictions(&self, conditions: &Conditions) -> Option<Vec<f64>> {
+        lying::frictions(self.lateral.as_ref()?, conditions)
+    }
+
+    /// What a string without stiffness in bending presses on its hole with up to a distance from the
+    /// bit (m), shared out to the nearest of some places (m from the bit, from the surface down), N;
+    /// none where the course of the well is not known.
+    pub fn soft_forces(&self, conditions: &Conditions, places: (&[f64], f64)) -> Option<Vec<f64>> {
+        let (lying, lateral) = (self.lying.as_ref()?, self.lateral.as_ref()?);
+        Some(lying.soft_forces(&self.string, (lateral, conditions), places))
     }
 
     /// The same, sampled at another frequency, Hz.
@@ -148,7 +178,7 @@ impl Setting {
             hole: &hole,
         };
         let places = sites::resolve(source, content, &in_hole, found)?;
-        let mut lateral = lateral::resolve(
+        let lateral = lateral::resolve(
             source,
             content,
             &in_hole,
@@ -165,15 +195,8 @@ impl Setting {
             string,
             lateral.as_ref(),
         )?;
-        let weight_on_bit = 1e3 * conditions.weight_on_bit_kn.unwrap_or(0.0);
-        let sites = lying::resolve(
-            source,
-            content,
-            (data, mud),
-            weight_on_bit,
-            &string,
-            (&mut lateral, sites),
-        )?;
+        let sites = lying::held(source, content, &string, (lateral.as_ref(), sites))?;
+        let lying = lying::resolve(source, content, (data, mud), &string, lateral.as_ref())?;
         let friction = string_friction::resolve(
             source,
             content,
@@ -206,6 +229,7 @@ impl Setting {
             rotor_inertia,
             friction,
             hanging,
+            lying,
             lateral,
             cutting,
             motor,
@@ -227,9 +251,7 @@ impl Setting {
     /// The lateral part of a string that hangs in the middle of its hole: limits of whirl are those
     /// of such a string.
     pub fn hanging_sideways(&self) -> Option<&LateralSettings> {
-        self.lateral
-            .as_ref()
-            .filter(|lateral| lateral.lying.is_none())
+        self.lateral.as_ref().filter(|_| self.lying.is_none())
     }
 
     /// Refuses a frequency at which nothing is felt of an impulse, or of a wave on its way; `cuts`

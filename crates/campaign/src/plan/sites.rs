@@ -2,7 +2,7 @@
 
 use linear::{Drillstring, Sites};
 
-use super::contacts::{CANDIDATES_TO, Candidates, StringInHole};
+use super::contacts::{CANDIDATES_TO, CandidatePlaces, Candidates, StringInHole};
 use crate::quantities::LONGEST_STRING;
 use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 
@@ -105,21 +105,30 @@ fn candidates(
     in_hole: &StringInHole,
 ) -> Result<Vec<f64>, SweepFileError> {
     let wall = content.wall.unwrap_or_default();
-    for (key, value) in [
-        ("wall.sites_every_m", wall.sites_every_m),
-        ("wall.sites_to_m", wall.sites_to_m),
+    for (key, value, needs) in [
+        ("wall.sites_every_m", wall.sites_every_m, ""),
+        ("wall.sites_to_m", wall.sites_to_m, ", `\"ends\"`"),
     ] {
         if let Some(value) = value {
             source.within(key, value, 1e-3, LONGEST_STRING, "m")?;
-            let message = "says where sites may be: needs `sites = \"all\"` or `\"auto\"`";
+            let message =
+                format!("says where sites may be: needs `sites = \"all\"`{needs} or `\"auto\"`");
             source.refuse_if(wall.sites == SitesName::Given, key, message)?;
         }
     }
-    if wall.sites != SitesName::All {
-        return Ok(Vec::new());
-    }
+    let at = match (wall.sites, wall.sites_every_m) {
+        (SitesName::Given | SitesName::Auto, _) => return Ok(Vec::new()),
+        (SitesName::All, None) => CandidatePlaces::Middles,
+        (SitesName::All, Some(every)) => CandidatePlaces::Every(every),
+        (SitesName::Ends, None) => CandidatePlaces::Ends,
+        (SitesName::Ends, Some(_)) => {
+            let message = "`sites = \"ends\"` has the ends of wide parts: even distances need \
+                           `\"all\"` or `\"auto\"`";
+            return Err(source.error("wall.sites_every_m", message));
+        }
+    };
     let which = Candidates {
-        every: wall.sites_every_m,
+        at,
         to: wall.sites_to_m.unwrap_or(f64::INFINITY),
     };
     let found = in_hole.candidates(which).take(MOST_CANDIDATES + 1);

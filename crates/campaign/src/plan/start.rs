@@ -121,8 +121,7 @@ impl Starts {
     /// one with the bit held.
     pub fn first(&self, setting: &Setting, surface_speed: f64, bit: Option<&BitTorque>) -> Start {
         let (string, sites) = (&setting.string, &setting.sites);
-        let lateral = setting.lateral.as_ref();
-        let lies = lateral.is_some_and(|lateral| lateral.lying.is_some());
+        let lies = setting.lying.is_some();
         match (self.name, bit) {
             (StartName::Ramp, _) => Start::Rest,
             (StartName::Smooth | StartName::Turning, None) if lies => {
@@ -168,10 +167,10 @@ impl Starts {
         Some(Self { name, ..*self })
     }
 
-    /// How a string that lies in its hole finds its walls.
-    pub fn lying(&self) -> LyingStart {
+    /// How a string that lies in its hole finds its walls, its surface turning so in the end, rad/s.
+    pub fn lying(&self, surface_speed: f64) -> LyingStart {
         match self.name {
-            StartName::Smooth => LyingStart::Sliding,
+            StartName::Smooth => LyingStart::Sliding(surface_speed),
             _ => LyingStart::AtRest,
         }
     }

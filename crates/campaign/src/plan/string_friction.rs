@@ -140,7 +140,7 @@ pub fn resolve(
     refuse_others(source, content)?;
     let Some(survey) = survey_along(source, data, string)? else {
         let message = "what presses the string on its wall follows from the survey: \
-                       needs `survey` in [well]";
+                       needs `survey` or `inclination_deg` in [well]";
         return Err(source.error("string_friction", message));
     };
     let pressed_by = match table.pressed_by {

@@ -83,6 +83,9 @@ pub const IMPULSE: Twin = twin(["_ns", "_lbf_s"], ["N s", "lbf s"], &[POUND_FORC
 /// Torques.
 pub const TORQUE: Twin = twin(["_nm", "_lbf_ft"], ["N m", "lbf ft"], &[POUND_FORCE * FOOT]);
 
+/// Stress and pressure.
+pub const STRESS: Twin = twin(["_mpa", "_psi"], ["MPa", "psi"], &[1e-6 * PSI]);
+
 /// All of them. Where several fit a name that is read, the known names decide; what has a name
 /// is shown in the first that fits it by the longest ending.
 pub const TWINS: [Twin; 23] = [
@@ -131,7 +134,7 @@ pub const TWINS: [Twin; 23] = [
         ["N s/m", "lbf s/ft"],
         &[POUND_FORCE / FOOT],
     ),
-    twin(["_mpa", "_psi"], ["MPa", "psi"], &[1e-6 * PSI]),
+    STRESS,
     twin(["_gpa", "_psi"], ["GPa", "psi"], &[1e-9 * PSI]),
 ];
 

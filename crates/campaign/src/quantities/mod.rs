@@ -26,7 +26,8 @@ mod units;
 pub use axis::{Axis, RockConstant, StringAxis, TubeMeasure, WallQuantity};
 pub use field_units::{
     FOOT, FORCE, IMPULSE, INCH, INERTIA, INTEGRAL_GAIN, LENGTH, POUND, POUND_FORCE,
-    PROPORTIONAL_GAIN, RATE, TORQUE, TWINS, Twin, WIDTH, in_si, shown_as, twins_of, unit_of,
+    PROPORTIONAL_GAIN, RATE, STRESS, TORQUE, TWINS, Twin, WIDTH, in_si, shown_as, twins_of,
+    unit_of,
 };
 pub use range::{in_digits, within};
 pub use table::LONGEST_STRING;

@@ -174,7 +174,7 @@ impl FileContent {
     /// The wall, where candidates are sites too.
     pub fn wall_with_candidates(&self) -> Option<&WallTable> {
         let wall = self.wall.as_ref();
-        wall.filter(|wall| wall.sites == SitesName::All)
+        wall.filter(|wall| matches!(wall.sites, SitesName::All | SitesName::Ends))
     }
 
     /// Whether the bit is one of the sites.

@@ -92,7 +92,7 @@ pub struct WallTable {
     #[schemars(range(min = 0.001, max = 2e4))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sites_every_m: Option<f64>,
-    /// Of `"all"` and `"auto"`: how far up from the bit; left out, to the surface.
+    /// Of `"all"`, `"ends"` and `"auto"`: how far up from the bit; left out, to the surface.
     #[schemars(range(min = 0.001, max = 2e4))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sites_to_m: Option<f64>,
@@ -124,6 +124,8 @@ pub enum SitesName {
     Given,
     /// At candidates all along the string, too.
     All,
+    /// At the ends of its wide parts, too, where a string touches that lies in its hole.
+    Ends,
     /// Also where a case goes through its wall, which it is run again for.
     Auto,
 }

@@ -9,16 +9,16 @@ use super::number_or::is_zero;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WellTable {
-    /// Its survey, for `[string_friction]`, `[axial_force]` and a string that lies in its hole
-    /// (`[wall]`): a CSV file or a workbook of
+    /// Its survey, for `[string_friction]`, `[axial_force]` and a string that lies on its `[wall]`: a
+    /// CSV file or a workbook of
     /// measured depth, inclination and azimuth (`measured_depth_m`, `MD (ft)`;
     /// `inclination_deg`, `Inc`; `azimuth_deg`, `Azi (deg)`), from the surface (depth 0) to the
     /// bit at least. Between its stations the well is an arc of a circle (minimum curvature);
     /// one so sharp that pipe would yield is warned of.
     pub survey: Option<String>,
-    /// Instead of `survey`: the well is straight, and inclined by this from the vertical.
-    #[schemars(range(min = 0.0, max = 90.0))]
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Instead of `survey`: the angle from the vertical of a well that is straight from the surface on.
+    #[schemars(range(min = 0.0, max = 180.0))]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inclination_deg: Option<f64>,
     /// Radius of the hole where it is the same all along, for `[mud]` that is viscous or around a
     /// string that bends, and for `clearance = "hole"`. Every part of the string is narrower, or a bit or

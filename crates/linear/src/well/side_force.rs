@@ -112,6 +112,13 @@ impl SideForce {
         QuasiStaticTwist::new(stretches)
     }
 
+    /// What each short length of the string presses on the wall with under a weight on bit (N): the
+    /// depth of its middle, m, and that force, N.
+    pub fn forces(&self, weight_on_bit: f64) -> impl Iterator<Item = [f64; 2]> {
+        let pieces = self.pieces.iter();
+        pieces.map(move |piece| [piece.depth, piece.force(weight_on_bit)])
+    }
+
     /// The weight of the string along the well, buoyed, N: what the hook carries above a bit that
     /// is off bottom.
     pub fn hook_load(&self) -> f64 {
@@ -120,10 +127,14 @@ impl SideForce {
 }
 
 impl Piece {
+    /// What it presses with, N.
+    fn force(&self, weight_on_bit: f64) -> f64 {
+        length(combine(1.0, self.pressing, -weight_on_bit, self.turn)) * self.length
+    }
+
     /// Torque per coefficient of friction, N m.
     fn friction_torque(&self, weight_on_bit: f64) -> f64 {
-        let pressing = length(combine(1.0, self.pressing, -weight_on_bit, self.turn));
-        pressing * self.radius * self.length
+        self.force(weight_on_bit) * self.radius
     }
 }
 

@@ -70,7 +70,7 @@ impl Wall {
 
     /// The most friction there is, in parts of the normal force, against surfaces that slide at
     /// a speed (m/s); that of rolling where it is not positive.
-    pub(crate) fn friction_at(&self, speed: f64) -> f64 {
+    pub fn friction_at(&self, speed: f64) -> f64 {
         if speed <= 0.0 {
             return self.friction;
         }

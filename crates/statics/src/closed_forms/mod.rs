@@ -9,6 +9,16 @@
 //! | how it swings about the low side | [`LyingPipe`] |
 //! | how it climbs, and when it whirls | [`climb`] |
 //! | when it buckles on the low side | [`buckling`] |
+//!
+//! ```
+//! use statics::closed_forms::{buckling, touchdown};
+//!
+//! // Collars of EI 17 MN m² in a hole that leaves 54 mm, 1.6 kN/m across it, 100 kN on the bit.
+//! let (rigidity, clearance, load, weight_on_bit) = (17e6, 0.054, 1600.0, 100e3);
+//! let down = touchdown(rigidity, clearance, load, weight_on_bit);
+//! assert!((10.0..12.0).contains(&down.length));
+//! assert!(weight_on_bit < 0.1 * buckling::of_lying_string(rigidity, load, clearance));
+//! ```
 
 mod beam_column;
 pub mod buckling;

@@ -81,7 +81,7 @@ torsional_damping_nms_rad_m = 10
 repeat = 10
 parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.15 }]
 [well]
-survey = "survey.csv"
+inclination_deg = 30
 [mud]
 density_kg_m3 = 1500
 [string_friction]

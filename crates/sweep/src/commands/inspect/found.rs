@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::axial_force::InspectedForce;
 use super::clearances::{InspectedClearance, describe_clearances};
+use super::lying::InspectedLying;
 use super::methods::InspectedMethod;
 use super::modes::InspectedModes;
 use super::string::InspectedString;
@@ -29,6 +30,8 @@ pub struct Inspection<'a> {
     pub clearances: Vec<InspectedClearance>,
     /// What pulls and pushes it, where that is modelled.
     pub axial_force: Option<InspectedForce>,
+    /// How it lies in its hole at rest, where its course is known.
+    pub lying: Option<InspectedLying>,
     /// From which speed on an eccentric mass brings it to its wall, where that is known.
     pub forward_contact: Option<ForwardContact>,
     /// What turns it, where that is a top drive.
@@ -61,6 +64,7 @@ impl Inspection<'_> {
             optional(self.well.as_ref().map(|well| well.words(units))),
             describe_clearances(&self.clearances, units),
             optional(self.axial_force.as_ref().map(|force| force.words(units))),
+            optional(self.lying.as_ref().map(|lying| lying.words(units))),
             optional(self.forward_contact.as_ref().map(|contact| {
                 format!("\neccentric mass\n{}", wrapped(&contact.words(units), 2, 2))
             })),

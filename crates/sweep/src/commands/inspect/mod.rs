@@ -4,6 +4,7 @@
 mod axial_force;
 mod clearances;
 mod found;
+mod lying;
 mod methods;
 mod modes;
 mod responses;
@@ -35,6 +36,7 @@ use campaign::memory::{Demand, Purpose, admit};
 use clearances::clearances_of_hole;
 use found::Inspection;
 use limits::ForwardContact;
+use lying::{InspectedLying, LyingView};
 use methods::InspectedMethod;
 use modes::{InspectedModes, write_modes};
 use responses::{response_panels, response_picture};
@@ -96,6 +98,17 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         write_atomically(&folder.join("top_drive.csv"), &panels_csv(&panels)?)?;
         pictures.push(shown("top_drive"));
     }
+    let lying = match LyingView::of(sweep) {
+        None => None,
+        Some(Err(error)) => Some(InspectedLying::Refused { error }),
+        Some(Ok(view)) => {
+            drawing.save(&folder, "static_string", &view.picture(look))?;
+            write_atomically(&folder.join("static_string.csv"), &view.along_csv()?)?;
+            write_atomically(&folder.join("static_contacts.csv"), &view.contacts_csv()?)?;
+            pictures.push(shown("static_string"));
+            Some(InspectedLying::AtRest(view.numbers()))
+        }
+    };
     let orders = &arguments.orders;
     let find = |count: u8| InspectedModes::find(sweep, count.into(), orders, &folder, &drawing);
     let modes = arguments.modes.map(find).transpose()?;
@@ -112,6 +125,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         well: InspectedWell::of(sweep),
         clearances: clearances_of_hole(sweep),
         axial_force: InspectedForce::of(sweep)?,
+        lying,
         forward_contact: ForwardContact::of(sweep)?,
         top_drive: drive.as_ref().map(DriveView::numbers),
         modes,

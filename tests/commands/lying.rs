@@ -1,0 +1,119 @@
+//! How a string lies in its hole, as `inspect` has it: in words, as JSON, in tables and a picture.
+
+use serde_json::Value;
+
+use crate::support::Workplace;
+
+/// Collars in a hole of 30°, on blades, on their joints and on the bit.
+const LYING: &str = r#"
+title = "Collars that lie"
+surface_speed_rpm = 60
+time_s = 1
+sampling_frequency_hz = 400
+methods = ["finite-element"]
+[string]
+shear_modulus_gpa = 79.3
+density_kg_m3 = 7850
+torsional_damping_nms_rad_m = 10
+bending = { youngs_modulus_gpa = 206, damping_ns_m2 = 200 }
+[[string.sections]]
+repeat = 6
+parts = [
+    { length_m = 9, inner_radius_m = 0.04, outer_radius_m = 0.09 },
+    { length_m = 1, inner_radius_m = 0.04, outer_radius_m = 0.1 },
+]
+[[string.sections]]
+repeat = 1
+parts = [{ length_m = 2, inner_radius_m = 0.04, outer_radius_m = 0.1, contact_radius_m = 0.15 }]
+[[string.sections]]
+repeat = 1
+parts = [{ length_m = 10, inner_radius_m = 0.04, outer_radius_m = 0.1 }]
+[well]
+hole_radius_m = 0.152
+inclination_deg = 30
+[wall]
+clearance = "hole"
+friction = 0.3
+sites = "ends"
+[[sites]]
+distance_from_bit_m = 0
+clearance_mm = 2
+"#;
+
+#[test]
+fn an_inspection_says_how_a_string_lies_in_its_hole() {
+    let place = Workplace::with_small(LYING);
+    let arguments = ["inspect", "small.toml", "--out", "out"];
+    let text = place.answer(&arguments);
+    assert_eq!(text.code, 0, "{}", text.errors);
+    let json = place.answer(&[&arguments[..], &["--json"]].concat());
+    let found: Value = serde_json::from_str(&json.output).unwrap();
+    let lying = &found["lying"];
+    let number = |value: &Value| value.as_f64().unwrap();
+    assert_eq!(lying["is_stable"], true);
+    let contacts = lying["contacts"].as_array().unwrap();
+    // The collars between bit and blades weigh at the former: less than half, as they are held at
+    // the latter.
+    let area = std::f64::consts::PI * (0.1_f64.powi(2) - 0.04_f64.powi(2));
+    let half = 0.5 * 5.0 * 7.85 * 9.80665 * area * 30f64.to_radians().sin();
+    let bit = number(&contacts[0]["force_kn"]);
+    assert!((0.5 * half..1.5 * half).contains(&bit), "{bit} {half}");
+    assert!((number(&lying["side_force_of_bit_kn"][0]) + bit).abs() < 1e-9);
+    for contact in contacts {
+        assert!(number(&contact["angle_deg"]).abs() < 1e-6, "{contact}");
+    }
+    let moment = &lying["greatest_moment_knm"];
+    let [value, from_bit] = ["value", "from_bit_m"].map(|key| number(&moment[key]));
+    for words in [
+        format!("{value:.2} kN m, {from_bit:.2} m from the bit"),
+        format!("side force of the bit      {bit:.3} kN to the low side"),
+        format!("{} of {} sites", contacts.len(), number(&lying["sites"])),
+    ] {
+        assert!(text.output.contains(&words), "{words}\n{}", text.output);
+    }
+    let sites = std::fs::read_to_string(place.path("out/static_contacts.csv")).unwrap();
+    let sum = |column: usize| -> f64 {
+        let fields = sites.lines().skip(1);
+        let fields = fields.map(|line| line.split(',').nth(column).unwrap());
+        let given = fields.filter(|field| !field.is_empty());
+        given.map(|field| field.parse::<f64>().unwrap()).sum()
+    };
+    let pressed: f64 = contacts.iter().map(|it| number(&it["force_kn"])).sum();
+    assert!((sum(4) - pressed).abs() < 1e-9);
+    // A string without stiffness presses with as much, but for what the surface holds.
+    assert!((sum(5) / pressed - 1.0).abs() < 0.1, "{} {pressed}", sum(5));
+    // Sliding it climbs to where friction holds it, and presses less.
+    let torque = number(&lying["turning"]["friction_torque_knm"]);
+    let radius = torque / (0.3 * sum(6));
+    assert!((0.1..0.15).contains(&radius), "{radius}");
+    let less = sum(6) / pressed * 1.09f64.sqrt();
+    assert!((less - 1.0).abs() < 0.03, "{less}");
+    let along = std::fs::read_to_string(place.path("out/static_string.csv")).unwrap();
+    assert!(along.starts_with("distance_from_bit_m,high_side_mm,right_mm,tension_kn,"));
+    assert!(place.path("out/static_string.png").exists());
+    // One that hangs straight lies on nothing.
+    let hanging = Workplace::with_small(&LYING.replace("inclination_deg = 30\n", ""));
+    let text = hanging.answer(&arguments);
+    assert!(
+        !text.output.contains("at rest in its hole"),
+        "{}",
+        text.output
+    );
+    assert!(!hanging.path("out/static_string.csv").exists());
+}
+
+/// Sites closer to each other than elements are short.
+#[test]
+fn an_inspection_says_why_a_string_is_not_found_to_lie_in_its_hole() {
+    let near = "[[sites]]\ndistance_from_bit_m = 5\n[[sites]]\ndistance_from_bit_m = 5.0015\n";
+    let place = Workplace::with_small(&format!("{LYING}{near}"));
+    let text = place.answer(&["inspect", "small.toml", "--out", "out"]);
+    let words =
+        "is not found               two contacts are less than 0.002 m apart, 5 m from the bit";
+    assert!(
+        text.output.contains(words),
+        "{}{}",
+        text.output,
+        text.errors
+    );
+}
