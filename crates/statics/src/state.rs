@@ -269,10 +269,33 @@ impl StaticState {
                 }
             }
         }
-        // Between the neighbours of the best, by golden sections.
         let (upper, part) = at;
         let step = 1.0 / PARTS as f64;
-        let (mut low, mut high) = ((part - step).max(0.0), (part + step).min(1.0));
+        // An end of an element is that of its neighbour, too.
+        let mut around = vec![(upper, (part - step).max(0.0), (part + step).min(1.0))];
+        if part == 0.0 && upper > 0 {
+            around.push((upper - 1, 1.0 - step, 1.0));
+        }
+        if part == 1.0 && upper + 1 < self.beam.elements.len() {
+            around.push((upper + 1, 0.0, step));
+        }
+        let mut found = (self.within(upper, part).distance_from_bit, best);
+        for (upper, low, high) in around {
+            let inner = self.peak(upper, (low, high), &value);
+            if inner.distance_from_bit <= to && value(&inner) > found.1 {
+                found = (inner.distance_from_bit, value(&inner));
+            }
+        }
+        found
+    }
+
+    /// Where a value has a peak between two parts of an element, by golden sections.
+    fn peak(
+        &self,
+        upper: usize,
+        (mut low, mut high): (f64, f64),
+        value: &impl Fn(&Place) -> f64,
+    ) -> Place {
         let golden = 0.5 * (5f64.sqrt() - 1.0);
         let of = |part: f64| value(&self.within(upper, part));
         for _ in 0..CUTS {
@@ -283,11 +306,7 @@ impl StaticState {
                 low = one;
             }
         }
-        let inner = self.within(upper, 0.5 * (low + high));
-        match inner.distance_from_bit <= to && value(&inner) > best {
-            true => (inner.distance_from_bit, value(&inner)),
-            false => (self.within(upper, part).distance_from_bit, best),
-        }
+        self.within(upper, 0.5 * (low + high))
     }
 
     /// At a part of an element, from its upper node.

@@ -194,7 +194,12 @@ fn the_shipped_string_lies_in_an_inclined_hole() {
             "hole_diameter_in = 12.25\ninclination_deg = 60",
         )
         .replace("density_ppg = 13.436", "density_kg_m3 = 1200")
-        .replace("sites_to_m = 200", "sites_to_m = 250");
+        .replace("sites_to_m = 200", "sites_to_m = 250")
+        .replace(
+            "distance_from_bit_m = 38.54",
+            "distance_from_bit_m = 38.54\namount_ns = 3000",
+        )
+        .replace("impulse_ratio = { values = [1.5, 3, 6] }", "");
     let file = file.with_file_name("inclined.toml");
     let from = |path: &Path, _: u64| match path == file {
         true => Ok(inclined.clone()),

@@ -395,6 +395,9 @@ fn val_the_field_string_snakes_beyond_a_weight_on_bit() {
         };
         assert_eq!(unstable(expected - 0.2), [0, 0], "{degrees}");
         assert_eq!(unstable(expected + 0.2), [0, 1], "{degrees}");
+        let found = lying.snaking_weight(1e6).unwrap();
+        assert!((1e-3 * found - expected).abs() < 0.1, "{degrees}: {found}");
+        assert_eq!(lying.snaking_weight(2e5), None);
     }
 }
 
@@ -451,5 +454,39 @@ fn val_forces_are_converged_in_the_length_of_elements_and_of_the_string() {
         (300.0, 16_958.999_973),
     ] {
         assert_near(of(to, Some(0.25)), expected, 2e-8, to);
+    }
+}
+
+/// Where the string is cut of itself, above the highest contact, nothing changes at the lowest.
+#[test]
+fn val_a_cut_of_itself_is_far_enough_from_the_bit() {
+    for ends in [false, true] {
+        let case = Case(60.0, 100.0, false, false);
+        let touching = |to: f64| match ends {
+            true => field_assembly::ends(to),
+            false => field_assembly::middles(to),
+        };
+        let expected = case.lying(&touching(TO), None).at_rest().unwrap();
+        for to in [150.0, 200.0] {
+            let conditions = Conditions {
+                top: Top::Automatic,
+                ..case.conditions()
+            };
+            let contact = |it: Touching| Contact {
+                distance_from_bit: it.distance_from_bit,
+                clearance: it.clearance,
+                radius: it.radius,
+                stiffness: None,
+            };
+            let contacts: Vec<Contact> = touching(to).into_iter().map(contact).collect();
+            let string = field_assembly::string();
+            let lying = LyingString::new(&string, &conditions, &contacts).unwrap();
+            let state = lying.at_rest().unwrap();
+            assert!(state.top() >= Top::LEAST && state.top() > to - 10.0);
+            for distance in [0.0, 4.735, 15.625, 29.43] {
+                let force = inward(&expected, distance);
+                assert_near(inward(&state, distance), force, 1e-4, (ends, to, distance));
+            }
+        }
     }
 }

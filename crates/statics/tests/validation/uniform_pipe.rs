@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use linear::well::{Station, Survey};
 use linear::{Drillstring, Material, Mud, Section, Tube};
 use statics::closed_forms::{BeamColumn, buckling, touchdown};
-use statics::{Bit, Conditions, Contact, Course, LyingString, Stress, Top};
+use statics::{Bit, Conditions, Contact, ContactState, Course, LyingString, Stress, Top};
 
 /// E I, N m².
 pub const RIGIDITY: f64 = 16_976_985.7;
@@ -162,6 +162,62 @@ fn val_pins_on_an_arc_bend_the_string() {
     let state = lying.at_rest().unwrap();
     assert_near(state.contacts()[0].force[0], -8889.1289, 2e-7);
     assert!(state.contacts()[0].force[1].abs() < 1e-6);
+}
+
+/// Bent by its compression alone, the same in whichever plane its hole builds or turns.
+#[test]
+fn val_a_string_without_weight_does_not_know_which_way_is_up() {
+    let well = |[[i0, a0], [i1, a1]]: [[f64; 2]; 2]| {
+        let station = |measured_depth: f64, inclination: f64, azimuth: f64| Station {
+            measured_depth,
+            inclination: inclination.to_radians(),
+            azimuth: azimuth.to_radians(),
+        };
+        let survey = Survey::new(vec![station(0.0, i0, a0), station(120.0, i1, a1)]);
+        Course::Surveyed(survey.unwrap())
+    };
+    let contacts: Vec<Contact> = (0..12)
+        .map(|it| at(10.0 * f64::from(it), 0.01 + 0.002 * f64::from(it % 3)))
+        .collect();
+    // Each turns by 6°: it builds, it turns to the right, and both.
+    let wells = [
+        [[60.0, 0.0], [66.0, 0.0]],
+        [[90.0, 0.0], [90.0, 6.0]],
+        [[90.0, 0.0], [90.0 - 18f64.sqrt(), 0.0]],
+    ];
+    let mut found = Vec::new();
+    for (number, stations) in wells.into_iter().enumerate() {
+        let mut stations = stations;
+        if number == 2 {
+            // cos 6° = sin I cos A.
+            let inclination = stations[1][0].to_radians();
+            stations[1][1] = (6f64.to_radians().cos() / inclination.sin())
+                .acos()
+                .to_degrees();
+        }
+        let conditions = Conditions {
+            mud: Some(Mud {
+                density: 7850.0,
+                viscosity: 0.0,
+            }),
+            weight_on_bit: 200e3,
+            ..conditions(well(stations))
+        };
+        let lying = LyingString::new(&string(120), &conditions, &contacts).unwrap();
+        let state = lying.at_rest().unwrap();
+        let normals: Vec<f64> = state.contacts().iter().map(ContactState::normal).collect();
+        assert!(
+            normals.iter().filter(|it| **it > 1e3).count() > 4,
+            "{normals:?}"
+        );
+        found.push((normals, state.greatest_moment(100.0).1));
+    }
+    for (normals, moment) in &found[1..] {
+        assert_near(*moment, found[0].1, 1e-8);
+        for (one, other) in normals.iter().zip(&found[0].0) {
+            assert!((one - other).abs() < 1e-3, "{one} {other}");
+        }
+    }
 }
 
 /// W = f (EI w²)^⅓: a vertical string of some length that its ends alone hold.

@@ -14,6 +14,9 @@ use plot::{Axis, LineStyle, Look, Panel, Picture, Series, Wall, panels};
 /// Of more contacts that touch only this number, those next to the bit, have a line each.
 const MOST_LINES: usize = 20;
 
+/// No weight on bit is larger, N.
+const MOST_WEIGHT: f64 = 5e6;
+
 /// The part of the string that is drawn, from the bit up, m: above it the same returns at every joint.
 const REACH_SHOWN: f64 = 120.0;
 
@@ -48,6 +51,8 @@ pub struct AtRest {
     /// Whether nothing but its contacts keeps it from buckling.
     buckles_without_contacts: bool,
     is_stable: bool,
+    /// The weight on bit from which on it does not stay as it lies at rest; none up to 5 MN.
+    snakes_from_kn: Option<f64>,
     /// In steady rotation, sliding on all that it touches, where friction is known.
     turning: Option<Turning>,
 }
@@ -82,6 +87,8 @@ pub struct LyingView<'a> {
     sweep: &'a Sweep,
     state: StaticState,
     buckles_without_contacts: bool,
+    /// The weight on bit from which on it does not stay there, N.
+    snaking_weight: Option<f64>,
     /// The same turning, where that is found.
     sliding: Option<StaticState>,
     /// What a string without stiffness presses each contact with that touches, N; none of others.
@@ -105,6 +112,7 @@ impl<'a> LyingView<'a> {
             Ok::<_, StaticsError>(Self {
                 sweep,
                 buckles_without_contacts: lying.buckles_without_contacts(),
+                snaking_weight: lying.snaking_weight(MOST_WEIGHT),
                 sliding: frictions.and_then(|it| lying.sliding_with(&it).ok()),
                 soft: soft.collect(),
                 state,
@@ -140,6 +148,7 @@ impl<'a> LyingView<'a> {
             greatest_von_mises_mpa: greatest(1e-6, state.greatest_von_mises(to)),
             buckles_without_contacts: self.buckles_without_contacts,
             is_stable: state.is_stable(),
+            snakes_from_kn: self.snaking_weight.map(|weight| 1e-3 * weight),
             turning: self.sliding.as_ref().map(Turning::of),
         }
     }
@@ -341,6 +350,10 @@ impl AtRest {
                 false => parts.join(", "),
             }
         };
+        let snakes = match self.snakes_from_kn {
+            Some(weight) => format!("from {} on the bit on", force.text(weight, 1)),
+            None => "not up to 5 MN on the bit".to_owned(),
+        };
         let stays = match (self.is_stable, self.buckles_without_contacts) {
             (true, false) => "yes",
             (true, true) => "yes, held by its contacts: it would buckle without them",
@@ -353,6 +366,7 @@ impl AtRest {
                 format!("up to {} from the bit", length.text(self.modelled_m, 1)),
             ),
             ("stays there", stays.to_owned()),
+            ("snakes or buckles", snakes),
             (
                 "side force of the bit",
                 sides(self.side_force_of_bit_kn, &|it| force.text(it, 3)),
