@@ -46,11 +46,14 @@ keep well_b history
 "$sweep" simulate sweeps/well_12in_cutting.toml --set surface_speed_rpm=100 \
     --set weight_on_bit_kn=80 --out "$folder/well_12in_cutting_cut"
 cp "$folder/well_12in_cutting_cut/cut.png" "$images/well_12in_cutting-cut.png"
+"$sweep" inspect sweeps/well_12in_low_side.toml --out "$folder/well_12in_low_side_at_rest"
+cp "$folder/well_12in_low_side_at_rest/static_string.png" \
+    "$images/well_12in_low_side-static_string.png"
 "$sweep" inspect sweeps/well_12in.toml --modes --out "$folder/well_12in"
 keep well_12in campbell
 
 for figure in fig09 fig09_certified fig14 fig17 fig17_trace well_12in well_12in_soft_torque \
-    well_12in_mud well_12in_cutting fig09_cutting axial_aarsnes; do
+    well_12in_mud well_12in_cutting well_12in_low_side fig09_cutting axial_aarsnes; do
     "$sweep" run "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" map
 done

@@ -120,3 +120,127 @@ fn a_string_that_is_not_found_to_lie_in_its_hole_is_refused() {
     );
     assert_ne!(text.code, 0);
 }
+
+/// The same string, turned: labels and columns of a string that lies, by two methods.
+#[test]
+fn a_run_says_how_a_string_lies_and_swings() {
+    let run = |more: &str| {
+        let text = LYING
+            .replace("time_s = 1\n", "")
+            .replace("[\"finite-element\"]", "[\"held\", \"finite-element\"]");
+        let place = Workplace::with_small(&(text + more));
+        let run = place.sweep(&["run", "small.toml", "--out", "out"]);
+        assert_eq!(run.code, 0, "{run:?}");
+        place
+    };
+    let design = "[design]\nkind = \"grid\"\n[design.axes]\nfriction = { values = [0.1, 0.3] }\n";
+    let place = run(design);
+    let table = std::fs::read_to_string(place.path("out/labels.csv")).unwrap();
+    let mut lines = table
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let names = lines.next().unwrap();
+    let column = |name: &str| names.iter().position(|it| *it == name).unwrap();
+    let rows: Vec<Vec<&str>> = lines.collect();
+    assert_eq!(rows.len(), 4);
+    for row in &rows {
+        let number = |name: &str| row[column(name)].parse::<f64>().unwrap();
+        assert_eq!(row[column("lateral")], "low_side");
+        // It climbs by about the angle of friction, and lies there.
+        let friction: f64 = number("friction");
+        let climb = number("climb_deg");
+        let slides = friction.atan().to_degrees();
+        assert!(
+            (0.5..1.3).contains(&(climb / slides)),
+            "{friction}: {climb}"
+        );
+        assert!(number("swing_deg") < 1.0);
+        assert!(number("greatest_angle_deg") > climb);
+        assert!(number("acceleration_rms_g") <= number("acceleration_peak_g"));
+        assert_eq!(number("lateral_shocks_per_s"), 0.0);
+    }
+    // In the middle of its hole it touches nothing.
+    let hangs = LYING.replace(
+        "sites = \"ends\"",
+        "sites = \"ends\"\nlies_on_low_side = false",
+    );
+    let place = Workplace::with_small(&(hangs + design));
+    let hanging = place.sweep(&["run", "small.toml", "--out", "out"]);
+    assert_eq!(hanging.code, 0, "{hanging:?}");
+    let table = std::fs::read_to_string(place.path("out/labels.csv")).unwrap();
+    assert!(!table.contains("climb_deg") && table.contains("no_contact"));
+}
+
+/// What begins in steady sliding stays there; what only turns climbs first.
+#[test]
+fn a_string_that_lies_begins_at_rest_turning_or_sliding() {
+    let greatest = |start: &str| {
+        let text = format!(
+            "start = \"{start}\"\n{}",
+            LYING.replace("time_s = 1\n", "time_s = 4\n")
+        );
+        let place = Workplace::with_small(&text);
+        let run = place.sweep(&["run", "small.toml", "--out", "out"]);
+        assert_eq!(run.code, 0, "{run:?}");
+        let table = std::fs::read_to_string(place.path("out/labels.csv")).unwrap();
+        let mut lines = table.lines();
+        let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+        let at = names.iter().position(|it| *it == "greatest_angle_deg");
+        let row: Vec<&str> = lines.next().unwrap().split(',').collect();
+        row[at.unwrap()].parse::<f64>().unwrap()
+    };
+    let [sliding, turning, resting] = ["smooth", "turning", "ramp"].map(greatest);
+    let slides = 0.3f64.atan().to_degrees();
+    assert!(sliding < 1.5 * slides, "{sliding}");
+    // Without damping it would go twice as far as it slides.
+    assert!(
+        turning > 1.5 * slides && resting > 1.2 * slides,
+        "{turning} {resting}"
+    );
+}
+
+#[test]
+fn what_does_not_go_with_a_string_that_lies_is_refused_by_its_key() {
+    for (text, key, says) in [
+        (
+            format!("{LYING}[[impulses]]\ndistance_from_bit_m = 0\nratio = 2\n"),
+            "impulses[0].ratio",
+            "amount_ns",
+        ),
+        (
+            LYING
+                .replace("inclination_deg = 30\n", "")
+                .replace("\"ends\"", "\"ends\"\nlies_on_low_side = true"),
+            "wall.lies_on_low_side",
+            "well.inclination_deg",
+        ),
+        (
+            format!(
+                "start = \"turning\"\n{}",
+                LYING.replace("inclination_deg = 30\n", "")
+            ),
+            "start",
+            "needs a table [bit]",
+        ),
+        (
+            LYING.replace("\"ends\"", "\"ends\"\nshock_g = -1"),
+            "wall.shock_g",
+            "g",
+        ),
+        (
+            LYING.replace("inclination_deg = 30", "inclination_deg = 200"),
+            "well.inclination_deg",
+            "180",
+        ),
+    ] {
+        let place = Workplace::with_small(&text);
+        let refused = place.answer(&["run", "small.toml", "--dry-run"]);
+        assert_ne!(refused.code, 0, "{key}");
+        assert!(
+            refused.errors.contains(&format!("`{key}`")),
+            "{key}: {}",
+            refused.errors
+        );
+        assert!(refused.errors.contains(says), "{key}: {}", refused.errors);
+    }
+}

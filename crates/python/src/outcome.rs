@@ -64,6 +64,19 @@ impl Outcome {
             measures.set_item("precession_rate_rad_s", lateral.precession_rate)?;
             measures.set_item("mean_radius_m", lateral.mean_radius)?;
             measures.set_item("mean_normal_force_n", lateral.mean_normal_force)?;
+            if let Some(lying) = lateral.lying {
+                measures.set_item("climb_rad", lying.climb)?;
+                measures.set_item("swing_rad", lying.swing_amplitude)?;
+                measures.set_item("swing_frequency_hz", lying.swing_frequency)?;
+                measures.set_item("greatest_angle_rad", lying.greatest_angle)?;
+            }
+            if let Some(shocks) = lateral.shocks {
+                measures.set_item("shock_site", shocks.site)?;
+                measures.set_item("acceleration_peak_m_s2", shocks.peak)?;
+                measures.set_item("acceleration_rms_m_s2", shocks.rms)?;
+                measures.set_item("tangential_acceleration_peak_m_s2", shocks.tangential_peak)?;
+                measures.set_item("shocks_per_s", shocks.shocks_per_second)?;
+            }
         }
         Ok(measures)
     }

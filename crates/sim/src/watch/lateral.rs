@@ -350,7 +350,8 @@ impl WallWatch {
     }
 
     /// The same of one that lies in its hole: of the sites in contact for most of the time, that
-    /// which goes round most often or, where none does, swings furthest.
+    /// which goes round most often; where none does, that which swings furthest; and where none
+    /// swings by more than a little, that which bears most.
     fn lying(&self, swings: &SwingWatch, closing: &[SiteSums]) -> (usize, LateralRegime, Swing) {
         let steps = self.step.saturating_sub(self.closing_from).max(1) as f64;
         let touches = |site: &usize| closing[*site].contact as f64 / steps > self.rules.mostly;
@@ -361,17 +362,20 @@ impl WallWatch {
             found = every().map(swing).collect();
         }
         let goes_round = |it: &Swing| it.turns.abs() >= self.rules.least_turns_of_lying;
-        let order = |one: &Swing, other: &Swing| {
-            let of = |it: &Swing| match goes_round(it) {
-                true => (true, it.turns.abs()),
-                false => (false, it.amplitude),
-            };
-            let ((one, by), (other, than)) = (of(one), of(other));
+        let rank = |(site, it): &(usize, Swing)| {
+            if goes_round(it) {
+                (2, it.turns.abs())
+            } else if it.amplitude > self.rules.snaking {
+                (1, it.amplitude)
+            } else {
+                (0, closing[*site].normal_force)
+            }
+        };
+        let order = |one: &(usize, Swing), other: &(usize, Swing)| {
+            let ((one, by), (other, than)) = (rank(one), rank(other));
             one.cmp(&other).then(by.total_cmp(&than))
         };
-        let (site, swing) = (found.into_iter())
-            .max_by(|(_, one), (_, other)| order(one, other))
-            .unwrap_or_else(|| swing(0));
+        let (site, swing) = found.into_iter().max_by(order).unwrap_or_else(|| swing(0));
         let regime = match swing {
             it if goes_round(&it) && it.turns < 0.0 => LateralRegime::ForwardWhirl,
             it if goes_round(&it) => LateralRegime::BackwardWhirl,
