@@ -16,6 +16,10 @@ pub(crate) struct Banded {
 /// of a motion that nothing resists.
 const LEAST_PIVOT: f64 = 1e-18;
 
+/// A pivot that is negative by no more than this part of what it was before elimination is zero:
+/// that of a motion that nothing resists.
+const ROUNDING: f64 = 1e-14;
+
 impl Banded {
     /// Half of the width of the band: a node of four degrees of freedom and its neighbour.
     const HALF: usize = 7;
@@ -94,8 +98,8 @@ impl Banded {
     /// Solves the equations in place of their right side, and returns which pivots are negative.
     pub(crate) fn solve(mut self, right: &mut [f64]) -> Vec<bool> {
         let size = self.size();
-        let diagonal = (0..size).map(|row| self.get(row, row).abs());
-        let least = LEAST_PIVOT * diagonal.fold(0.0, f64::max);
+        let diagonal: Vec<f64> = (0..size).map(|row| self.get(row, row).abs()).collect();
+        let least = LEAST_PIVOT * diagonal.iter().copied().fold(0.0, f64::max);
         let mut negative = Vec::with_capacity(size);
         for pivot in 0..size {
             let mut value = self.get(pivot, pivot);
@@ -103,7 +107,7 @@ impl Banded {
                 value = least;
                 self.set(pivot, pivot, least);
             }
-            negative.push(value < 0.0);
+            negative.push(value < -ROUNDING * diagonal[pivot]);
             let end = self.band(pivot).end;
             for row in pivot + 1..end {
                 let factor = self.get(row, pivot) / value;

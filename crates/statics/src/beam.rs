@@ -13,7 +13,7 @@
 //! at the bit, at any pressure, and grows upwards by w cos I.
 
 use linear::well::GRAVITY;
-use linear::{Drillstring, Tube};
+use linear::{Drillstring, SurfaceSupport, Tube};
 
 use crate::conditions::{Conditions, Top};
 use crate::contact::Contact;
@@ -57,6 +57,8 @@ pub(crate) struct Beam {
     pub(crate) distances: Vec<f64>,
     /// The node of each contact, from the top down.
     pub(crate) contact_nodes: Vec<usize>,
+    /// Unknowns of the uppermost node that are zero.
+    pub(crate) held_above: &'static [usize],
     /// By which the high side is turned from the first axis at each node, rad.
     pub(crate) high_side: Vec<f64>,
 }
@@ -181,8 +183,15 @@ impl Beam {
         }
         elements.reverse();
         high_side.reverse();
+        let is_cut = length - top > SHORTEST_ELEMENT;
+        let held_above: &[usize] = match conditions.surface {
+            SurfaceSupport::Free if !is_cut => &[],
+            SurfaceSupport::Clamped if !is_cut => &[0, 1, 2, 3],
+            _ => &[0, 2],
+        };
         Ok(Self {
             elements,
+            held_above,
             distances,
             contact_nodes,
             high_side,

@@ -1,6 +1,6 @@
 //! What is around a string that lies in its hole, and how its ends are held.
 
-use linear::Mud;
+use linear::{Mud, SurfaceSupport};
 
 use crate::course::Course;
 
@@ -29,8 +29,11 @@ pub struct Conditions {
     pub torque: f64,
     /// What holds the bit sideways.
     pub bit: Bit,
-    /// Where the modelled part of the string ends, held in the middle of the hole.
+    /// Where the modelled part of the string ends.
     pub top: Top,
+    /// What holds the surface, where the string is modelled up to it; a cut below it is held in the
+    /// middle of the hole, without a moment.
+    pub surface: SurfaceSupport,
     /// The longest element, m; left out, one with which forces are converged to 1e-6 of the largest.
     pub longest_element: Option<f64>,
 }
@@ -69,7 +72,7 @@ impl Top {
 
 impl Conditions {
     /// Those of a string of a Young's modulus (Pa) in a hole, off bottom, without mud or torque, its
-    /// bit in contact.
+    /// bit in contact and its surface pinned.
     pub fn new(youngs_modulus: f64, course: Course) -> Self {
         Self {
             youngs_modulus,
@@ -79,6 +82,7 @@ impl Conditions {
             torque: 0.0,
             bit: Bit::Contact,
             top: Top::Automatic,
+            surface: SurfaceSupport::Pinned,
             longest_element: None,
         }
     }

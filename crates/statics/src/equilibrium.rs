@@ -53,9 +53,6 @@ const LONGEST_SLIDE: f64 = 0.5;
 /// balance below this part of the load.
 const SAME_FORCE: f64 = 1e-9;
 
-/// The displacements of the upper end, which is held in the middle.
-const UPPER_END: [usize; 2] = [0, 2];
-
 /// What a contact does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Touch {
@@ -260,7 +257,7 @@ impl<'a> Equilibrium<'a> {
                 }
             }
         }
-        for unknown in UPPER_END {
+        for &unknown in self.beam.held_above {
             matrix.hold(unknown, -self.moved[unknown], &mut right);
         }
         let negative = matrix.solve(&mut right);
@@ -501,7 +498,8 @@ impl<'a> Equilibrium<'a> {
                 }
             }
         }
-        UPPER_END.iter().for_each(|it| forces[*it] = 0.0);
+        let held = self.beam.held_above.iter();
+        held.for_each(|it| forces[*it] = 0.0);
         forces.iter().map(|it| it * it).sum::<f64>().sqrt()
     }
 

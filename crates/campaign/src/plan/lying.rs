@@ -87,6 +87,7 @@ impl Lying {
             mud: self.mud,
             weight_on_bit: pushed(lateral, conditions),
             bit,
+            surface: lateral.support,
             ..statics::Conditions::new(lateral.bending.youngs_modulus, course)
         };
         LyingString::new(string, &around, &contacts(sites, lateral, conditions))

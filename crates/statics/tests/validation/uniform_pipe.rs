@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use linear::well::{Station, Survey};
-use linear::{Drillstring, Material, Mud, Section, Tube};
+use linear::{Drillstring, Material, Mud, Section, SurfaceSupport, Tube};
 use statics::closed_forms::{BeamColumn, buckling, touchdown};
 use statics::{Bit, Conditions, Contact, ContactState, Course, LyingString, Stress, Top};
 
@@ -126,6 +126,47 @@ fn val_a_string_lies_down_above_a_pinned_bit() {
         let borne: f64 = middle.map(|it| it.normal()).sum();
         assert_near(borne, 20.0 * LOAD_PER_SINE, 1e-3);
     }
+}
+
+/// Sixty metres, free at both ends, without axial force, on nine elastic walls: by elements of
+/// another program. At 60° the pipe weighs as much across the hole as horizontally in heavier mud.
+#[test]
+fn val_a_string_with_free_ends_lies_on_nine_walls_as_by_elements() {
+    let conditions = Conditions {
+        mud: Some(Mud {
+            density: 7850.0 - (7850.0 - 1200.0) * 60f64.to_radians().sin(),
+            viscosity: 0.0,
+        }),
+        bit: Bit::Free,
+        surface: SurfaceSupport::Free,
+        ..conditions(flat())
+    };
+    let contacts: Vec<Contact> = (0..9)
+        .map(|it| Contact {
+            stiffness: Some(1e9),
+            ..at((f64::from(it) + 0.5) * 60.0 / 9.0, CLEARANCE)
+        })
+        .collect();
+    let lying = LyingString::new(&string(60), &conditions, &contacts).unwrap();
+    assert!(!lying.buckles_without_contacts());
+    let state = lying.at_rest().unwrap();
+    assert!(state.is_stable());
+    let expected = [11_261.174, 10_004.243, 10_876.063, 10_658.886, 10_722.275];
+    for (site, it) in state.contacts().iter().enumerate() {
+        assert_near(it.normal(), expected[site.min(8 - site)], 1e-6);
+    }
+    // Clamped at the surface it does not lie down there.
+    let clamped = Conditions {
+        surface: SurfaceSupport::Clamped,
+        ..conditions
+    };
+    let lying = LyingString::new(&string(60), &clamped, &contacts).unwrap();
+    let at_surface = lying.at_rest().unwrap().at(60.0);
+    assert_eq!(
+        (at_surface.displacement, at_surface.slope),
+        ([0.0; 2], [0.0; 2])
+    );
+    assert!(at_surface.moment[0].abs() > 1e3);
 }
 
 /// Three pins on an arc, without weight: the one in the middle bends it.

@@ -17,6 +17,9 @@ const MOST_LINES: usize = 20;
 /// No weight on bit is larger, N.
 const MOST_WEIGHT: f64 = 5e6;
 
+/// The highest contacts that touch are bent by how the string is cut above them.
+const BENT_BY_CUT: usize = 3;
+
 /// The part of the string that is drawn, from the bit up, m: above it the same returns at every joint.
 const REACH_SHOWN: f64 = 120.0;
 
@@ -39,6 +42,11 @@ pub struct AtRest {
     weight_on_bit_kn: f64,
     /// How far up from the bit it is modelled.
     modelled_m: f64,
+    /// How far up there are sites.
+    sites_to_m: Option<f64>,
+    /// How far up the greatest moment and stresses are looked for: next to its upper end, and above
+    /// the highest sites, the string is bent by how it is cut.
+    greatest_within_m: f64,
     sites: usize,
     contacts: Vec<InspectedContact>,
     /// Of the bit on the rock, to the high side and to the right looking down.
@@ -129,7 +137,7 @@ impl<'a> LyingView<'a> {
             value: scale * value,
             from_bit_m,
         };
-        let to = state.top();
+        let to = self.trusted();
         let touching = state.contacts().iter().rev().filter(|it| it.touches);
         let contact = |it: &ContactState| InspectedContact {
             site_from_bit_m: it.contact.distance_from_bit,
@@ -138,7 +146,12 @@ impl<'a> LyingView<'a> {
         };
         AtRest {
             weight_on_bit_kn: self.sweep.conditions.weight_on_bit_kn.unwrap_or(0.0),
-            modelled_m: to,
+            modelled_m: state.top(),
+            sites_to_m: state
+                .contacts()
+                .first()
+                .map(|it| it.contact.distance_from_bit),
+            greatest_within_m: to,
             sites: state.contacts().len(),
             contacts: touching.map(contact).collect(),
             side_force_of_bit_kn: state.side_force_at_bit().map(|force| 1e-3 * force),
@@ -151,6 +164,19 @@ impl<'a> LyingView<'a> {
             snakes_from_kn: self.snaking_weight.map(|weight| 1e-3 * weight),
             turning: self.sliding.as_ref().map(Turning::of),
         }
+    }
+
+    /// How far from the bit, m, it is as it would be in a longer model: where the string is cut, up to
+    /// the last contacts but some.
+    fn trusted(&self) -> f64 {
+        let top = self.state.top();
+        if top >= self.sweep.setting.string.length() {
+            return top;
+        }
+        let touching = self.state.contacts().iter().filter(|it| it.touches);
+        let distances = touching.map(|it| it.contact.distance_from_bit);
+        let below = distances.skip(BENT_BY_CUT).find(|it| *it > 0.0);
+        below.unwrap_or(top)
     }
 
     /// Its deflection, its contact forces and its moment, next to the bit.
@@ -363,7 +389,14 @@ impl AtRest {
             ("weight on bit", force.text(self.weight_on_bit_kn, 1)),
             (
                 "modelled",
-                format!("up to {} from the bit", length.text(self.modelled_m, 1)),
+                format!(
+                    "up to {} from the bit{}",
+                    length.text(self.modelled_m, 1),
+                    self.sites_to_m.map_or_else(String::new, |to| format!(
+                        ", sites up to {}",
+                        length.text(to, 1)
+                    ))
+                ),
             ),
             ("stays there", stays.to_owned()),
             ("snakes or buckles", snakes),
