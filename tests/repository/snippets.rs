@@ -30,7 +30,7 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 23] = [
+const SNIPPETS: [Snippet; 24] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
     snippet(
@@ -61,6 +61,11 @@ const SNIPPETS: [Snippet; 23] = [
     snippet("docs/first-map.md", "[40, 1500]", After::New),
     snippet("docs/first-map.md", "methods", After::New),
     snippet("docs/limits.md", "trace", After::Nothing),
+    snippet(
+        "docs/low-side.md",
+        "inclination_deg",
+        After::Base("well_12in_low_side.toml"),
+    ),
     snippet(
         "docs/sweep-file.md",
         "the drillstring of the paper's Table 2",

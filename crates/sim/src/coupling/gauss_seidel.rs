@@ -9,6 +9,9 @@ use crate::line::Within;
 /// thousandth of what a wall's law is held to (`laws::contact_residual`).
 pub(super) const COUPLING_TOLERANCE: f64 = 1e-12;
 
+/// What has not settled so far in all turns, but so far as this, has: a wall's law is held to no more.
+const LAST_TOLERANCE: f64 = 1e-9;
+
 /// Turns after which each is begun with a step of Newton's method.
 const PLAIN_TURNS: usize = 30;
 
@@ -45,13 +48,13 @@ impl Coupling<'_> {
             return Ok(true);
         }
         self.pending.fill(f64::INFINITY);
-        let driving = COUPLING_TOLERANCE * self.largest_driving(free);
+        let driving = self.largest_driving(free);
         let most_turns = match self.within {
             Within::All(_) => MOST_TURNS,
             Within::Chain(_) => MOST_TURNS_OF_ROW,
         };
         for turn in 0..most_turns {
-            let matters = self.matters(driving);
+            let matters = self.matters(COUPLING_TOLERANCE, driving);
             if !self.any_is_open(free, &matters) {
                 // The others get the latest loads of those that touch.
                 for port in 0..self.pending.len() {
@@ -74,10 +77,13 @@ impl Coupling<'_> {
                 }
             }
         }
-        Ok(false)
+        let matters = self.matters(LAST_TOLERANCE, driving);
+        Ok(!self.any_is_open(free, &matters))
     }
 
-    fn matters(&self, driving: f64) -> Matters {
+    /// What no longer matters to this part of the largest of each; the largest torque that drives
+    /// ports in a row is given, N m.
+    fn matters(&self, tolerance: f64, driving: f64) -> Matters {
         let largest = self.normal_forces.iter().copied().fold(0.0, f64::max);
         let torques = match self.has_walls_only() {
             // No port is asked for it.
@@ -85,9 +91,9 @@ impl Coupling<'_> {
             false => self.loads.largest_torque(),
         };
         Matters {
-            force: COUPLING_TOLERANCE * largest,
-            torque: COUPLING_TOLERANCE * torques,
-            driving,
+            force: tolerance * largest,
+            torque: tolerance * torques,
+            driving: tolerance * driving,
         }
     }
 

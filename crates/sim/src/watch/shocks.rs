@@ -1,6 +1,6 @@
 //! What tools in the string feel: accelerations at the sites that have walls, and shocks.
 //!
-//! An acceleration is the second difference of three steps: a blow that is shorter than these is
+//! An acceleration is the second difference of three steps: an impact that is shorter than these is
 //! spread over them, so that its peak grows with the sampling frequency until the wall's own
 //! softness rounds it.
 
@@ -129,13 +129,13 @@ impl Site {
 mod tests {
     use super::*;
 
-    /// Round a circle at a rate ω, r ω² sideways; a wobble of the rotation; and blows.
+    /// Round a circle at a rate ω, r ω² sideways; a wobble of the rotation; and impacts.
     #[test]
     fn what_is_measured_is_what_was_made() {
         let (frequency, radius, rate) = (2000.0, 0.02, 30.0);
         let sampling = Sampling::new(frequency, 0.0);
         let mut watch = ShockWatch::new(25.0, vec![0.1; 2], sampling, 2000);
-        let blow = |step: usize| match step % 500 {
+        let impact = |step: usize| match step % 500 {
             0 => 1e-5,
             _ => 0.0,
         };
@@ -147,11 +147,11 @@ mod tests {
                 ..Contact::NONE
             };
             let wobble = 8.0 + 0.5 * (100.0 * time).sin();
-            let contacts = [at(radius * cos, radius * sin), at(blow(step), 0.0)];
+            let contacts = [at(radius * cos, radius * sin), at(impact(step), 0.0)];
             watch.see(&contacts, [8.0, wobble].into_iter());
         }
         let found = watch.measures().unwrap();
-        // 1e-5 m to one side and back within two steps; eight blows in two seconds, three jerks each,
+        // 1e-5 m to one side and back within two steps; eight impacts in two seconds, three jerks each,
         // of which all are beyond the threshold.
         assert_eq!(found.site, 1);
         assert!((found.peak / (2e-5 * frequency * frequency) - 1.0).abs() < 1e-9);

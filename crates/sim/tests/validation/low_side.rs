@@ -223,7 +223,7 @@ fn val_a_string_that_lies_does_not_move_until_it_is_pushed() {
 /// A rod that slides steadily climbs by the angle of friction everywhere, N falling as
 /// 1/√(1 + μ²).
 #[test]
-fn val_steady_sliding_goes_on_as_it_began() {
+fn val_steady_sliding_continues_as_it_began() {
     let friction: f64 = 0.3;
     for method in [
         Method::Held,
@@ -341,7 +341,7 @@ fn val_unbalance_makes_a_string_snake_at_its_swinging_frequency() {
 
 /// The whole string at a speed (m/s) sideways, where it climbs.
 #[test]
-fn val_a_knock_decides_whether_it_goes_round() {
+fn val_an_impulse_decides_whether_it_goes_round() {
     let simulator = simulator(&Method::Quadrature, 2000.0, 20.0);
     // Steel, and mud in it and around it.
     let mass_per_metre = 324.736_985;
@@ -353,29 +353,17 @@ fn val_a_knock_decides_whether_it_goes_round() {
         (60.0, 0.3, 1.0, LateralRegime::LowSide),
     ] {
         let mut scene = turning(rpm, friction, 20.0);
-        let knock = |site| Impulse {
+        let impulse = |site| Impulse {
             site,
             amount: mass_per_metre * LENGTH / 9.0 * speed,
             start: 0.0,
             duration: 0.02,
             direction: 0.5 * PI,
         };
-        scene.lateral.as_mut().unwrap().impulses = (0..9).map(knock).collect();
+        scene.lateral.as_mut().unwrap().impulses = (0..9).map(impulse).collect();
         let found = measured(&simulator, &scene);
         assert_eq!(found.regime, regime, "{rpm} {friction} {speed}");
     }
-}
-
-/// A wall, or a string at rest, that is not that of the sites.
-#[test]
-fn a_string_at_rest_elsewhere_is_refused() {
-    let simulator = simulator(&Method::Quadrature, 500.0, 1.0);
-    let mut scene = turning(60.0, 0.1, 1.0);
-    let lateral = scene.lateral.as_mut().unwrap();
-    lateral.lying.as_mut().unwrap().forces.pop();
-    let refused = simulator.simulate(&scene, Stopping::Early, None);
-    let error = refused.unwrap_err().to_string();
-    assert!(error.contains("8 places, but there are 9 walls"), "{error}");
 }
 
 /// The same string with any springs on its linear part: to rounding where a method's steps follow from
@@ -390,17 +378,17 @@ fn val_springs_that_are_taken_back_change_nothing() {
     ] {
         let one = simulator(&method, 2000.0, 4.0);
         let other = held_by(&springs, &method, 2000.0, 4.0);
-        // At rest, and knocked so that it flies and lands.
+        // At rest, and pushed so that it flies and lands.
         for amount in [0.0, 500.0] {
             let mut scene = turning(60.0, 0.3, 4.0);
-            let knock = |site| Impulse {
+            let impulse = |site| Impulse {
                 site,
                 amount,
                 start: 0.1,
                 duration: 0.05,
                 direction: 0.3,
             };
-            scene.lateral.as_mut().unwrap().impulses = (0..9).map(knock).collect();
+            scene.lateral.as_mut().unwrap().impulses = (0..9).map(impulse).collect();
             let [one, other] = [&one, &other].map(|simulator| {
                 let mut motion = Trajectory::default();
                 simulator
@@ -420,9 +408,18 @@ fn val_springs_that_are_taken_back_change_nothing() {
 }
 
 #[test]
-fn a_spring_that_a_step_cannot_take_back_is_refused() {
-    let simulator = held_by(&[1e9; 9], &Method::Quadrature, 500.0, 1.0);
-    let refused = simulator.simulate(&turning(60.0, 0.1, 1.0), Stopping::Early, None);
-    let error = refused.unwrap_err().to_string();
-    assert!(error.contains("too stiff to be taken back"), "{error}");
+fn val_a_string_at_rest_elsewhere_and_springs_too_stiff_are_refused() {
+    let scene = turning(60.0, 0.1, 1.0);
+    let mut elsewhere = scene.clone();
+    let lateral = elsewhere.lateral.as_mut().unwrap();
+    lateral.lying.as_mut().unwrap().forces.pop();
+    for (springs, scene, words) in [
+        (&[][..], &elsewhere, "8 places, but there are 9 walls"),
+        (&[1e9; 9], &scene, "too stiff to be taken back"),
+    ] {
+        let simulator = held_by(springs, &Method::Quadrature, 500.0, 1.0);
+        let refused = simulator.simulate(scene, Stopping::Early, None);
+        let error = refused.unwrap_err().to_string();
+        assert!(error.contains(words), "{error}");
+    }
 }
