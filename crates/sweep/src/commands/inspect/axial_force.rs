@@ -18,6 +18,9 @@ pub struct InspectedForce {
     buckling_weight_on_bit_kn: Option<f64>,
     /// Pieces of constant force.
     pieces: usize,
+    /// Whether its wall holds it where it would buckle.
+    #[serde(skip)]
+    lies: bool,
 }
 
 impl InspectedForce {
@@ -39,6 +42,7 @@ impl InspectedForce {
             compressed_m: pushed.fold(0.0, |length, piece| length + piece.length),
             buckling_weight_on_bit_kn: buckling.map(|weight| 1e-3 * weight),
             pieces: pieces.len(),
+            lies: setting.lying.is_some(),
         }))
     }
 
@@ -51,6 +55,10 @@ impl InspectedForce {
             Some(weight) => format!("from {} on the bit on", force.text(weight, 1)),
             None => "under its own weight".to_owned(),
         };
+        let without = match self.lies {
+            true => "buckles without its wall",
+            false => "buckles",
+        };
         let rows = [
             (
                 "weight along the well",
@@ -60,7 +68,7 @@ impl InspectedForce {
                 "under compression",
                 format!("{} above the bit", length.text(self.compressed_m, 1)),
             ),
-            ("buckles", buckles),
+            (without, buckles),
             ("pieces of constant force", self.pieces.to_string()),
         ];
         let lines = rows.iter().map(|(title, value)| row(2, title, value));
