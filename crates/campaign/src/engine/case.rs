@@ -176,7 +176,16 @@ fn friction_along(
     };
     let coefficient = conditions.string_friction;
     let coefficient = coefficient.ok_or(CaseError::Missing("friction of the string"))?;
-    Ok(friction.at_nodes(conditions, coefficient))
+    let mut along = friction.at_nodes(conditions, coefficient);
+    if setting.lying.is_some() {
+        // Where it lies on its sites these bear it, and rub.
+        let highest = setting.sites.distances_from_bit()[0];
+        let nodes = friction.nodes.distances_from_bit().iter();
+        for (law, distance) in along.iter_mut().zip(nodes) {
+            *law = law.filter(|_| *distance > highest);
+        }
+    }
+    Ok(along)
 }
 
 /// All torques of a string as one at its bit, where there are any: there they take longest to

@@ -36,7 +36,10 @@ pub(super) fn ask_for_responses(
     let (taps, bending_taps) = (responses.torsion_taps(), responses.bending_taps());
     let bends = |simulator: SimulatorPlan| match plan.setting.lateral {
         None => simulator,
-        Some(_) => simulator.bending_by(sites, bending_taps),
+        Some(_) => {
+            let lies = plan.setting.lying.is_some();
+            simulator.bending_by(sites, bending_taps).lying(lies)
+        }
     };
     let stepping = match &plan.setting.friction {
         Some(friction) => rubbing::ask(plan, friction, bends, budget)?,

@@ -70,7 +70,8 @@ pub(super) fn ask(
     let mesh = plan(system.setting, lateral, parameters);
     let passing = budget.part();
     let taps = mesh.ask(loads, system.longest_time, (&passing, budget))?;
-    let simulator = SimulatorPlan::by_elements(&mesh, sites, taps, system.steps());
+    let simulator = SimulatorPlan::by_elements(&mesh, sites, taps, system.steps())
+        .lying(system.setting.lying.is_some());
     simulator.ask(budget)?;
     drop(passing);
     MarginPlan::in_torsion(loads, taps).ask(budget)?;
