@@ -83,6 +83,7 @@ impl Hoist {
             inertia: self.mass,
             proportional_gain: self.damping,
             integral_gain: self.stiffness,
+            delay: 0.0,
         })
     }
 }

@@ -321,6 +321,7 @@ impl Pieces {
         let drive = drive.map(|drive| Drive {
             holds: drive.holds * per_rate,
             opposes: drive.opposes * per_rate,
+            motor: drive.motor * per_rate,
         });
         let (at_top, mut waves) = waves.split_at_mut(AT_TOP);
         for (index, (piece, &impedance)) in pieces.zip(&self.impedances).enumerate() {

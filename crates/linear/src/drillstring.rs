@@ -379,6 +379,7 @@ impl Drillstring {
         let drive = self.top_drive.map(|drive| TopDrive {
             proportional_gain: 0.0,
             integral_gain: 0.0,
+            delay: 0.0,
             ..drive
         });
         Ok(Self {
@@ -434,6 +435,7 @@ impl Drillstring {
             add(drive.inertia);
             add(drive.proportional_gain);
             add(drive.integral_gain);
+            add(drive.delay);
         }
         if let Some(hole) = &self.hole {
             add(hole.mud.density);

@@ -321,6 +321,12 @@ pub enum BuildError {
         /// Name of the method.
         method: &'static str,
     },
+    /// A drive answers late, and elements that are stepped keep no past of it.
+    #[error(
+        "elements that are stepped have no drive with a delay: fewer sites, or another method than \
+         finite-element"
+    )]
+    LateDrive,
     /// What a piece does between two nodes does not lead to what the string does.
     #[error("{method} cannot step a string in pieces: take quadrature or finite-element")]
     NotInPieces {

@@ -95,6 +95,7 @@ mod derivative;
 pub mod deviation;
 mod distributed_loss;
 pub mod drillstring;
+pub mod drive_delay;
 pub mod elements;
 mod error;
 pub mod estimates;

@@ -3,17 +3,19 @@
 
 use num_complex::Complex64;
 
+use crate::assembly::number::Number;
 use crate::error::DrillstringError;
 
 /// A top drive under proportional and integral control: with e the set speed less its own, its
 /// motor turns it with the torque K_p e + K_i ∫ e dt. None of its numbers being negative, it
 /// takes energy and never gives any but for its set speed, so that no string is unstable
-/// under it. Presets are in [`crate::controllers`].
+/// under it; but one that answers to a speed measured some time ago gives some at high frequencies
+/// ([`crate::drive_delay`]). Presets are in [`crate::controllers`].
 ///
 /// ```
 /// use linear::{Complex64, TopDrive};
 ///
-/// let drive = TopDrive { inertia: 2000.0, proportional_gain: 300.0, integral_gain: 80.0 };
+/// let drive = TopDrive { inertia: 2000.0, proportional_gain: 300.0, integral_gain: 80.0, delay: 0.0 };
 /// // Inertia and integral gain oppose one another: at √(K_i/J) only K_p is left.
 /// let rate = (80.0f64 / 2000.0).sqrt();
 /// let impedance = drive.impedance(Complex64::new(0.0, rate));
@@ -28,6 +30,9 @@ pub struct TopDrive {
     pub proportional_gain: f64,
     /// Integral gain K_i, N m/rad.
     pub integral_gain: f64,
+    /// How long ago the speed was measured that the controller answers to, τ, s. The set speed it
+    /// knows at once.
+    pub delay: f64,
 }
 
 impl TopDrive {
@@ -37,6 +42,7 @@ impl TopDrive {
             ("inertia", self.inertia),
             ("proportional gain", self.proportional_gain),
             ("integral gain", self.integral_gain),
+            ("delay", self.delay),
         ];
         for (quantity, value) in numbers {
             if !(value.is_finite() && value >= 0.0) {
@@ -49,8 +55,24 @@ impl TopDrive {
         Ok(())
     }
 
-    /// Torque per speed that it opposes at the Laplace variable s (rad/s): s J + K_p + K_i/s.
+    /// Torque per speed that it opposes at the Laplace variable s (rad/s):
+    /// s J + (K_p + K_i/s) e^(−s τ).
     pub fn impedance(&self, s: Complex64) -> Complex64 {
-        s * self.inertia + self.proportional_gain + self.integral_gain / s
+        let controlled = self.integral_gain / s + self.proportional_gain;
+        s * self.inertia + controlled * self.late(s).unwrap_or(Complex64::ONE)
+    }
+
+    /// e^(−s τ), where there is a delay.
+    pub(crate) fn late<T: Number>(&self, s: T) -> Option<T> {
+        let is_late = self.delay > 0.0;
+        is_late.then(|| s.each(|s| (-self.delay * s).exp()))
+    }
+
+    /// The same in steps of a time (s), at the delay ζ of one: straight on between two of them.
+    pub(crate) fn late_in_steps<T: Number>(&self, zeta: T, step: f64) -> Option<T> {
+        let steps = self.delay / step;
+        let (whole, part) = (steps.floor(), steps.fract());
+        let late = |zeta: Complex64| zeta.powi(whole as i32) * (zeta * part + (1.0 - part));
+        (self.delay > 0.0).then(|| zeta.each(late))
     }
 }

@@ -120,6 +120,7 @@ impl From<TopDrive> for linear::TopDrive {
             inertia: drive.inertia,
             proportional_gain: drive.proportional_gain,
             integral_gain: drive.integral_gain,
+            delay: 0.0,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! `[top_drive]`: the drive below which the string hangs, its gains given or by a preset.
 
+use linear::drive_delay::{growing_roots, longest_delay};
 use linear::estimates::first_mode;
 use linear::{Drillstring, TopDrive, controllers};
 
@@ -36,7 +37,28 @@ pub fn resolve(
         return Ok((string, inertia));
     };
     let error = |error: linear::DrillstringError| source.error("top_drive", error.to_string());
-    Ok((string.with_top_drive(drive).map_err(error)?, 0.0))
+    let string = string.with_top_drive(drive).map_err(error)?;
+    bears_delay(source, &string)?;
+    Ok((string, 0.0))
+}
+
+/// Refuses a delay below which the string grows unstable.
+fn bears_delay(source: &Source, string: &Drillstring) -> Result<(), SweepFileError> {
+    let key = "top_drive.delay_ms";
+    let message = match source.checked(key, growing_roots(string))? {
+        Some(0) => return Ok(()),
+        None => "whether the string is stable below a drive with a delay is not known: it needs an inertia \
+                 that is not all made up for, and a string that loses something"
+            .to_owned(),
+        Some(_) => match source.checked(key, longest_delay(string))? {
+            Some(longest) => format!(
+                "the string grows unstable below this drive, as it does from {:.3} ms on",
+                1e3 * longest
+            ),
+            None => "the string grows unstable below this drive".to_owned(),
+        },
+    };
+    Err(source.error(key, message))
 }
 
 /// The drive, where it gives way at all, and the inertia that its controller leaves, kg m².
@@ -68,6 +90,12 @@ fn drive(
     if let Some(limit) = table.torque_limit_kn_m {
         within("torque_limit_kn_m", limit, 1e-3, 1e6, "kN m")?;
     }
+    let delay = within("delay_ms", table.delay_ms, 0.0, 1e4, "ms")?;
+    let is_prescribed = table.controller == ControllerName::Prescribed;
+    let message =
+        "is of a controller that measures its speed: a surface that turns as prescribed has none";
+    let is_idle = is_prescribed && delay > 0.0;
+    source.refuse_if(is_idle, "top_drive.delay_ms", message)?;
     refuse_idle(source, table)?;
     let left = inertia * (1.0 - compensated.unwrap_or(0.0));
     let drive = match table.controller {
@@ -100,8 +128,13 @@ fn drive(
                 inertia: left,
                 proportional_gain: required("proportional_gain_knms_rad", proportional_gain)?,
                 integral_gain: required("integral_gain_knm_rad", integral_gain)?,
+                delay: 0.0,
             }
         }
+    };
+    let drive = TopDrive {
+        delay: 1e-3 * delay,
+        ..drive
     };
     Ok((Some(drive), left))
 }

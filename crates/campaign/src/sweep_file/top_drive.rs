@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::number_or::is_zero;
+
 /// A motor with inertia that a controller holds at the surface speed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -24,6 +26,12 @@ pub struct TopDriveTable {
     /// any string.
     #[schemars(range(min = 0.0, max = 1.0))]
     pub inertia_compensation: Option<f64>,
+    /// How long ago the speed was measured that the controller answers to; 10 to 100 in drives as they
+    /// are. It then gives energy at high frequencies: a string that takes less grows unstable below it,
+    /// and is refused with the longest delay that it bears.
+    #[schemars(!skip_serializing_if, range(min = 0.0, max = 1e4))]
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub delay_ms: f64,
     /// The most torque that the drive can give. The drive of the model is linear and gives what
     /// its controller asks for; `run`, `simulate` and `inspect` warn where steady rotation, or
     /// a start from rest, takes more.

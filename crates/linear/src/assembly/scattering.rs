@@ -73,7 +73,12 @@ pub fn uppermost<T: Number>(
     impedance: f64,
 ) -> Uppermost<T> {
     let DynamicStiffness { top, cross, bottom } = piece;
-    let Some(Drive { holds, opposes }) = drive else {
+    let Some(Drive {
+        holds,
+        opposes,
+        motor,
+    }) = drive
+    else {
         // The surface turns as it is set to.
         let passes = (bottom + impedance).inverse();
         return Uppermost {
@@ -88,12 +93,14 @@ pub fn uppermost<T: Number>(
     let gives = (opposes + top).inverse();
     let below = bottom - cross * cross * gives;
     let pull = cross * holds * gives;
+    // What the motor gives to the motion below is late where its controller is.
+    let given = cross * motor * gives;
     let passes = (below + impedance).inverse();
     Uppermost {
         reflection: reflection(below, impedance),
         sent: pull * passes * -impedance,
-        torque_by_set: holds * (top + opposes - holds) * gives - pull * pull * passes,
-        torque_by_wave: pull * passes * 2.0,
+        torque_by_set: holds * (top + opposes - motor) * gives - pull * given * passes,
+        torque_by_wave: given * passes * 2.0,
         speed_by_set: (holds + cross * pull * passes) * gives,
         speed_by_wave: cross * gives * passes * -2.0,
     }

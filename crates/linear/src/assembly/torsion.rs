@@ -101,16 +101,20 @@ pub struct Drive<T> {
     pub holds: T,
     /// Torque per own motion.
     pub opposes: T,
+    /// The motor's share of that.
+    pub motor: T,
 }
 
 impl<T: Number> Drive<T> {
     /// That of a top drive, from the acceleration, speed and rotation that belong to a unit of
-    /// motion.
-    pub fn of(drive: &TopDrive, acceleration: T, speed: T, rotation: T) -> Self {
+    /// motion, and what a delay makes of these, where its controller has one.
+    pub fn of(drive: &TopDrive, [acceleration, speed, rotation]: [T; 3], late: Option<T>) -> Self {
         let holds = speed * drive.proportional_gain + rotation * drive.integral_gain;
+        let motor = late.map_or(holds, |late| holds * late);
         Self {
             holds,
-            opposes: acceleration * drive.inertia + holds,
+            opposes: acceleration * drive.inertia + motor,
+            motor,
         }
     }
 }
@@ -138,9 +142,9 @@ pub fn torque_at_surface<T: Number>(
     match drive {
         None => resists,
         // What the set motion does, less what the drive's own takes of it.
-        Some(Drive { holds, opposes }) => {
-            let own = holds * (opposes + resists).inverse();
-            holds * (-own + 1.0)
+        Some(drive) => {
+            let own = drive.motor * (drive.opposes + resists).inverse();
+            drive.holds * (-own + 1.0)
         }
     }
 }

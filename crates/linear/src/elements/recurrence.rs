@@ -39,6 +39,8 @@ struct Rates<T> {
     velocity: T,
     acceleration: T,
     trapezoidal: T,
+    /// A step later.
+    zeta: T,
 }
 
 impl<T: Number> Rates<T> {
@@ -54,6 +56,7 @@ impl<T: Number> Rates<T> {
             velocity: per_step * in_velocity,
             acceleration: per_step * advance * step.recip(),
             trapezoidal: advance * (zeta + 1.0).inverse() * (2.0 / step),
+            zeta,
         }
     }
 }
@@ -164,7 +167,8 @@ impl ElementChain<'_> {
         self.string.top_drive().map(|drive| {
             let rotation = rates.velocity.inverse();
             let acceleration = rates.acceleration * rotation;
-            Drive::of(&drive, acceleration, T::real(1.0), rotation)
+            let late = drive.late_in_steps(rates.zeta, self.weights.step);
+            Drive::of(&drive, [acceleration, T::real(1.0), rotation], late)
         })
     }
 }

@@ -69,6 +69,10 @@ fn vibrating_rate(string: &Drillstring) -> f64 {
     let of_tubes = string.torsional_damping() / (2.0 * heaviest);
     // A drive without inertia does not vibrate by itself.
     let inert = string.top_drive().filter(|drive| drive.inertia > 0.0);
+    // One that answers late gives at high frequencies what it takes at low ones.
+    if string.top_drive().is_some_and(|drive| drive.delay > 0.0) {
+        return 0.0;
+    }
     let of_drive = inert.map(|drive| drive.proportional_gain / (2.0 * drive.inertia));
     of_drive.map_or(of_tubes, |of_drive| of_tubes.min(of_drive))
 }

@@ -186,11 +186,12 @@ impl Lattice {
     }
 
     /// By the trapezoidal rule, which keeps energy as the pieces do.
-    fn drive<T: Number>(&self, waves: &Waves<'_, T>) -> Option<Drive<T>> {
+    fn drive<T: Number>(&self, waves: &Waves<'_, T>, zeta: T) -> Option<Drive<T>> {
         self.top_drive.map(|drive| {
             let rotation = waves.opposite * (0.5 * self.step);
             let acceleration = waves.alike * (2.0 / self.step);
-            Drive::of(&drive, acceleration, T::real(1.0), rotation)
+            let late = drive.late_in_steps(zeta, self.step);
+            Drive::of(&drive, [acceleration, T::real(1.0), rotation], late)
         })
     }
 
@@ -198,7 +199,7 @@ impl Lattice {
     /// of h, |ζ| < 1.
     pub fn admittance<T: Number>(&self, zeta: T) -> TorsionAdmittance<T> {
         let waves = self.waves(zeta);
-        let drive = self.drive(&waves);
+        let drive = self.drive(&waves, zeta);
         reduce(self.pieces(&waves), self.sites, T::real(1.0), drive)
     }
 
@@ -206,7 +207,7 @@ impl Lattice {
     /// no torque acting below, N m s/rad.
     pub fn surface_torque<T: Number>(&self, zeta: T) -> T {
         let waves = self.waves(zeta);
-        torque_at_surface(self.pieces(&waves), self.drive(&waves))
+        torque_at_surface(self.pieces(&waves), self.drive(&waves, zeta))
     }
 }
 

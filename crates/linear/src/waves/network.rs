@@ -79,7 +79,7 @@ impl<'a> TorsionNetwork<'a> {
 
     pub(crate) fn drive<T: Number>(&self, s: T) -> Option<Drive<T>> {
         let drive = self.string.top_drive();
-        drive.map(|drive| Drive::of(&drive, s * s, s, T::real(1.0)))
+        drive.map(|drive| Drive::of(&drive, [s * s, s, T::real(1.0)], drive.late(s)))
     }
 
     /// Torque per speed at the surface where all turns alike for ever.

@@ -125,6 +125,7 @@ fn drawn(number: usize) -> (Drillstring, Request) {
         inertia: draw.log_uniform(200.0, 5000.0),
         proportional_gain: draw.log_uniform(50.0, 20_000.0),
         integral_gain: draw.log_uniform(10.0, 20_000.0),
+        delay: 0.0,
     };
     let string = match number % 2 {
         0 => string,

@@ -2,6 +2,7 @@
 //! response, limits, energy, passivity and modes of random strings.
 
 use linear::controllers;
+use linear::drive_delay::{growing_roots, longest_delay};
 use linear::estimates::{
     first_mode, torsional_impedance, torsional_travel_time, winding_stiffness,
 };
@@ -31,6 +32,7 @@ fn drive(inertia: f64, proportional_gain: f64, integral_gain: f64) -> TopDrive {
         inertia,
         proportional_gain,
         integral_gain,
+        delay: 0.0,
     }
 }
 
@@ -203,23 +205,32 @@ fn stepped(
     let mut down: Vec<f64> = Vec::with_capacity(steps);
     let mut torques: Vec<f64> = Vec::with_capacity(steps);
     let (mut speed, mut turned) = (0.0, 0.0);
+    // Speeds of the motor, which its controller measures late.
+    let mut speeds: Vec<f64> = Vec::with_capacity(steps);
+    let late_by = (drive.delay / step).round() as usize;
     // From the free bit a wave comes back as it was.
     let up = |down: &[f64], index: usize| match index.checked_sub(2 * delay) {
         Some(before) => down[before],
         None => 0.0,
     };
     for index in 0..steps {
-        let rate = |time: f64, speed: f64, turned: f64, up: f64| {
+        speeds.push(speed);
+        let late = |index: usize, now: f64| match late_by {
+            0 => now,
+            _ => index.checked_sub(late_by).map_or(0.0, |it| speeds[it]),
+        };
+        let rate = |[time, measured]: [f64; 2], speed: f64, turned: f64, up: f64| {
             // The string pulls with Z times what goes down less what comes up.
             let pull = impedance * (speed - 2.0 * up);
             let motor =
-                drive.proportional_gain * (set(time) - speed) + drive.integral_gain * turned;
+                drive.proportional_gain * (set(time) - measured) + drive.integral_gain * turned;
             (motor - pull) / drive.inertia
         };
         let now = index as f64 * step;
         down.push(speed - up(&down, index));
-        let first = rate(now, speed, turned, up(&down, index));
-        let missing = set(now) - speed;
+        let measured = late(index, speed);
+        let first = rate([now, measured], speed, turned, up(&down, index));
+        let missing = set(now) - measured;
         torques.push(drive.proportional_gain * missing + drive.integral_gain * turned);
         let next_up = if index + 1 < 2 * delay {
             0.0
@@ -227,9 +238,10 @@ fn stepped(
             down[index + 1 - 2 * delay]
         };
         let tried = speed + step * first;
-        let next_missing = set(now + step) - tried;
+        let next_measured = late(index + 1, tried);
+        let next_missing = set(now + step) - next_measured;
         let next_turned = turned + 0.5 * step * (missing + next_missing);
-        let second = rate(now + step, tried, next_turned, next_up);
+        let second = rate([now + step, next_measured], tried, next_turned, next_up);
         speed += 0.5 * step * (first + second);
         turned = next_turned;
     }
@@ -247,7 +259,20 @@ fn stepped(
 /// Two methods that share no code; errors fall as the square of the step.
 #[test]
 fn val_a_motor_and_a_wave_stepped_in_time_say_the_same() {
-    let string = below(&pipes::row(100, 0.0), drive(2000.0, 3000.0, 2000.0));
+    a_motor_and_a_wave_say_the_same(drive(2000.0, 3000.0, 2000.0));
+}
+
+/// So they do where its controller measures the speed late.
+#[test]
+fn val_so_they_do_of_a_motor_that_answers_late() {
+    a_motor_and_a_wave_say_the_same(TopDrive {
+        delay: 0.0873,
+        ..drive(2000.0, 3000.0, 2000.0)
+    });
+}
+
+fn a_motor_and_a_wave_say_the_same(drive: TopDrive) {
+    let string = below(&pipes::row(100, 0.0), drive);
     let rise = RaisedCosine { duration: 0.4 };
     let (exact, exact_torque) = stepped(&string, |time| rise.integral(time), 8.0);
     for method in methods() {
@@ -280,6 +305,12 @@ fn val_a_motor_and_a_wave_stepped_in_time_say_the_same() {
         };
         let [coarse, fine] = [160.0, 320.0].map(error);
         assert!(fine < 0.02, "{}: {fine:e}", method.name());
+        if drive.delay > 0.0 {
+            // Between two steps the delay is met straight on, which a step half as long may meet
+            // no better.
+            assert!(fine < 2e-3, "{}: {fine:e}", method.name());
+            continue;
+        }
         // Elements are as long as they are; what is left at Newmark's γ is of the first order.
         let least = if method == Method::Quadrature {
             3.0
@@ -291,6 +322,49 @@ fn val_a_motor_and_a_wave_stepped_in_time_say_the_same() {
             "{}: {coarse:e} {fine:e}",
             method.name()
         );
+    }
+}
+
+/// A rotor alone whose controller answers late swings with ωτ = atan(ω K_p/K_i), ω² J = |K_i + iω K_p|,
+/// at the longest delay; a string as short as a metre only adds its inertia.
+#[test]
+fn val_the_longest_delay_of_a_rotor_is_that_of_the_closed_form() {
+    let stub = pipes::row(1, 0.1);
+    let tube = &stub.sections()[0].parts[0];
+    let of_string = stub.material().density * tube.polar_moment() * stub.length();
+    for [inertia, proportional_gain, integral_gain] in [
+        [2000.0, 4e4, 0.0],
+        [2900.0, 3.8e4, 4.5e4],
+        [2500.0, 1500.0, 800.0],
+    ] {
+        let drive = drive(inertia, proportional_gain, integral_gain);
+        let longest = longest_delay(&below(&stub, drive)).unwrap().unwrap();
+        let heavy = inertia + of_string;
+        let (p, i) = (proportional_gain / heavy, integral_gain / heavy);
+        let square = 0.5 * (p * p + (p.powi(4) + 4.0 * i * i).sqrt());
+        let rate = square.sqrt();
+        let expected = (rate * proportional_gain).atan2(integral_gain) / rate;
+        assert!(
+            (longest / expected - 1.0).abs() < 3e-3,
+            "{longest} {expected}"
+        );
+    }
+}
+
+/// The count of roots that grow against the poles themselves, found one by one: none below the longest
+/// delay, one that swings just beyond it.
+#[test]
+fn val_beyond_the_longest_delay_a_mode_grows() {
+    let string = academic::string();
+    let drive = controllers::soft_torque(&string, 2000.0);
+    let longest = longest_delay(&below(&string, drive)).unwrap().unwrap();
+    for (part, roots) in [(0.98, 0), (1.02, 2)] {
+        let delay = part * longest;
+        let string = below(&string, TopDrive { delay, ..drive });
+        assert_eq!(growing_roots(&string).unwrap(), Some(roots));
+        let modes = torsional_modes(&string, 40).unwrap();
+        let growing = modes.iter().filter(|mode| mode.damping_ratio() < 0.0);
+        assert_eq!(2 * growing.count(), roots, "{part}");
     }
 }
 

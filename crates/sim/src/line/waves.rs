@@ -250,6 +250,7 @@ mod tests {
             inertia: draw.log_uniform(500.0, 5000.0),
             proportional_gain: draw.log_uniform(100.0, 1e4),
             integral_gain: draw.log_uniform(100.0, 1e4),
+            delay: 0.0,
         };
         let string = match number % 2 {
             0 => string,

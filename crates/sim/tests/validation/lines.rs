@@ -41,6 +41,7 @@ impl With {
             inertia: 2900.0,
             proportional_gain: 6000.0,
             integral_gain: 4000.0,
+            delay: 0.0,
         };
         match self.drive {
             true => string.with_top_drive(drive).unwrap(),

@@ -119,6 +119,7 @@ fn problems() -> impl Iterator<Item = Problem> {
         inertia: 1500.0,
         proportional_gain: 3000.0,
         integral_gain: 2000.0,
+        delay: 0.0,
     };
     let methods = [
         Method::Held,

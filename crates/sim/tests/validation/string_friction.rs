@@ -75,6 +75,7 @@ fn strings() -> Vec<Drillstring> {
         inertia: 2900.0,
         proportional_gain: 3000.0,
         integral_gain: 2000.0,
+        delay: 0.0,
     };
     let jointed = academic::string();
     vec![

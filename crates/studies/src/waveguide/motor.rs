@@ -92,6 +92,7 @@ mod tests {
             inertia: 2000.0,
             proportional_gain: 800.0,
             integral_gain: 1000.0,
+            delay: 0.0,
         };
         let (step, set) = (1e-3, 3.0);
         let mut motor = Motor::new(&drive, 0.0, 0.0, step);

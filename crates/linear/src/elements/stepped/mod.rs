@@ -87,6 +87,7 @@ pub(crate) fn turned(
             // The surface is not one of its nodes.
             (free, surface, 1)
         }
+        Some(drive) if drive.delay > 0.0 => return Err(BuildError::LateDrive),
         Some(drive) => {
             let matrices = torsion::assemble_below_drive(string, &mesh, &drive)?;
             let surface = SurfaceElement {

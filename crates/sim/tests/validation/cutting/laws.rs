@@ -285,6 +285,7 @@ fn below(number: usize) -> BelowDashpots {
         inertia: draw.uniform(0.0, 4000.0),
         proportional_gain: draw.log_uniform(100.0, 1e4),
         integral_gain: draw.uniform(0.0, 5000.0),
+        delay: 0.0,
     };
     BelowDashpots {
         string: string.with_top_drive(drive).unwrap(),

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use anyhow::Result;
 use linear::controllers::reflection;
+use linear::drive_delay::longest_delay;
 use linear::estimates::{FirstMode, first_mode, torsional_impedance};
 use linear::modes::{TorsionalMode, torsional_modes};
 use linear::{Drillstring, TopDrive};
@@ -30,6 +31,10 @@ pub struct InspectedDrive {
     proportional_gain_knms_rad: f64,
     pipe_impedance_knms_rad: f64,
     integral_gain_knm_rad: f64,
+    /// How late its controller answers.
+    delay_ms: f64,
+    /// How late it may answer before the string grows unstable below it, where that is known.
+    longest_delay_ms: Option<f64>,
     /// With the surface held.
     first_mode_hz: f64,
     first_mode_inertia_kg_m2: f64,
@@ -80,6 +85,7 @@ impl InspectedDrive {
                 "integral gain K_i",
                 format!("{integral} {}", integral_gain.name),
             ),
+            ("delay", self.delay()),
             (
                 "first mode, surface held",
                 format!(
@@ -95,6 +101,14 @@ impl InspectedDrive {
             text += &row(2, title, &value);
         }
         text + &self.mode_lines()
+    }
+
+    fn delay(&self) -> String {
+        let delay = short(self.delay_ms);
+        match self.longest_delay_ms {
+            Some(longest) => format!("{delay} ms; stable below {longest:.3} ms"),
+            None => format!("{delay} ms"),
+        }
     }
 
     fn mode_lines(&self) -> String {
@@ -124,6 +138,8 @@ pub struct DriveView<'a> {
     below_drive: Vec<TorsionalMode>,
     /// Those of the same string where the surface turns as prescribed.
     surface_held: Vec<TorsionalMode>,
+    /// s.
+    longest_delay: Option<f64>,
 }
 
 impl<'a> DriveView<'a> {
@@ -142,6 +158,7 @@ impl<'a> DriveView<'a> {
             first: first_mode(string),
             below_drive: torsional_modes(string, MODES)?,
             surface_held: torsional_modes(&held, MODES)?,
+            longest_delay: longest_delay(string)?,
         }))
     }
 
@@ -161,6 +178,8 @@ impl<'a> DriveView<'a> {
             proportional_gain_knms_rad: 1e-3 * self.drive.proportional_gain,
             pipe_impedance_knms_rad: 1e-3 * torsional_impedance(self.string, uppermost),
             integral_gain_knm_rad: 1e-3 * self.drive.integral_gain,
+            delay_ms: 1e3 * self.drive.delay,
+            longest_delay_ms: self.longest_delay.map(|delay| 1e3 * delay),
             first_mode_hz: frequency / TAU,
             first_mode_inertia_kg_m2: inertia,
             reflection_at_first_mode: self.reflection(frequency),
