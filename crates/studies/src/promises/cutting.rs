@@ -61,7 +61,7 @@ pub struct HardestRock {
     pub energy: f64,
     /// Of what grows beyond, Hz.
     pub frequency: f64,
-    /// How fast that grows [`WITHIN`] beyond it, 1/s.
+    /// How fast that grows a tenth beyond it, 1/s.
     pub growth: f64,
 }
 
