@@ -339,21 +339,31 @@ impl<'a> CuttingLoop<'a> {
                 high = middle;
             }
         }
-        // What grows on one side and dies away on the other is where D is least on the axis.
-        let cut = at(0.5 * (low + high));
-        let omega = self.least(&cut)?;
-        self.on_axis(&at, (0.5 * (low + high), omega))
+        // What grows on one side and dies away on the other is where D is least on the axis; the root of
+        // a sharp resonance next to it may lead to a limit that is another's.
+        let middle = 0.5 * (low + high);
+        let is_of_bracket =
+            |(parameter, _): &(f64, f64)| (parameter - middle).abs() <= 2.0 * CLOSE * middle.abs();
+        let nearest = self.nearest(&at(middle))?.into_iter();
+        let limits = nearest.filter_map(|omega| self.on_axis(&at, (middle, omega)));
+        limits.filter(|limit| limit.1 > 0.0).find(is_of_bracket)
     }
 
-    /// The frequency, rad/s, at which a root is nearest to the imaginary axis.
-    fn least(&self, cut: &SteadyCut) -> Option<f64> {
+    /// The frequencies, rad/s, at which roots are near the imaginary axis, from the nearest on.
+    fn nearest(&self, cut: &SteadyCut) -> Option<Vec<f64>> {
         let samples = self.sample(cut);
         let end = PER_STEP * self.end(&samples, cut)?;
         let omega = |index: usize| self.step * index as f64 / PER_STEP as f64;
-        let away = |index: usize| self.root_from(cut, Complex64::new(0.0, omega(index)));
-        let nearest = (1..=end).map(|index| (away(index), index));
-        let (_, index) = nearest.min_by(|one, other| one.0.total_cmp(&other.0))?;
-        Some(omega(index))
+        let away: Vec<f64> = (1..=end)
+            .map(|index| self.root_from(cut, Complex64::new(0.0, omega(index))))
+            .collect();
+        let is_least = |place: &usize| {
+            let around = place.saturating_sub(1)..(place + 2).min(end);
+            away[around].iter().all(|other| away[*place] <= *other)
+        };
+        let mut places: Vec<usize> = (0..end).filter(is_least).collect();
+        places.sort_by(|one, other| away[*one].total_cmp(&away[*other]));
+        Some(places.into_iter().map(|place| omega(place + 1)).collect())
     }
 
     /// About how far the nearest root is from a place: |D/D′|.

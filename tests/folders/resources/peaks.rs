@@ -5,7 +5,7 @@ use std::process::Stdio;
 use std::time::Duration;
 
 use crate::resources::lateral;
-use crate::support::{SMALL, Workplace, small_with_design, with};
+use crate::support::{CUTTING, SMALL, Workplace, small_with_design, with};
 
 const MIB: f64 = 1024.0 * 1024.0;
 
@@ -105,6 +105,23 @@ fn no_run_takes_more_memory_than_its_limit() {
     holds("run", &by("finite-element", &some));
     let all = r#"["quadrature", "hilbert", "finite-element"]"#;
     holds("run", &with(&some, r#"["quadrature"]"#, all));
+}
+
+/// It moves in torsion and along the axis, and below a hook load as a whole.
+#[test]
+fn no_bit_that_cuts_takes_more_memory_than_its_limit() {
+    let long = with(CUTTING, "time_s = 20", "time_s = 3000");
+    let fast = with(
+        CUTTING,
+        "sampling_frequency_hz = 200",
+        "sampling_frequency_hz = 20000",
+    );
+    for method in ["held", "quadrature", "finite-element"] {
+        holds("run", &by(method, &long));
+        holds("run", &by(method, &fast));
+    }
+    holds("simulate", &long);
+    holds("inspect", &fast);
 }
 
 /// What a run says beforehand has room for looking at what labels depend on, which takes the most

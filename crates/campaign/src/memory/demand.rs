@@ -7,6 +7,7 @@ use linear::elements::reconstruction::WholeString;
 use linear::method::FiniteElement;
 use linear::parallel::threads;
 use sim::Trajectory;
+use sim::laws::cutting::CutStep;
 
 use super::Limit;
 use crate::dependence;
@@ -41,6 +42,10 @@ const LISTED: f64 = 96.0;
 const LINE: f64 = 96.0;
 const SPEED: f64 = 48.0;
 const MOTION: f64 = 192.0;
+
+/// The same of a bit that cuts, with what is recorded of it: torque, weight, depth of cut, angle, depth
+/// and that of the rock.
+const DRILLED: f64 = 6.0 * SPEED + size_of::<CutStep>() as f64;
 
 /// Distinct strings that are built at once, for each thread, where memory allows. Fewer
 /// would leave threads without work at the end of each batch.
@@ -183,7 +188,11 @@ impl<'a> Demand<'a> {
             Some(_) => SPEED + MOTION,
             None => SPEED,
         };
-        let line = LINE + of_site * sites as f64;
+        let of_bit = match setting.cutting {
+            Some(_) => DRILLED,
+            None => 0.0,
+        };
+        let line = LINE + of_site * sites as f64 + of_bit;
         match self.purpose {
             Purpose::Labels => {
                 let at_once = self.simulations().min(threads() as f64);

@@ -165,6 +165,11 @@ impl FileContent {
         self.well.as_ref().is_some_and(is_inclined) && self.wall.as_ref().is_some_and(lies)
     }
 
+    /// Whether accelerations are measured.
+    pub fn measures_shocks(&self) -> bool {
+        self.lies_on_low_side() || self.wall.is_some_and(|wall| wall.shock_g.is_some())
+    }
+
     /// Whether the hole decides the clearance where nothing else does.
     pub fn clearance_is_of_hole(&self) -> bool {
         let clearance = self.wall.and_then(|wall| wall.clearance);

@@ -7,7 +7,8 @@ use sim::{Label, Motion};
 use super::indices::{Block, Blocks};
 use crate::folder::{CaseRows, LabelRow, ResultTables, read_measured_cases};
 use campaign::design::{Member, cases_of_block};
-use campaign::records::Measure;
+use campaign::records::{Measure, Needs};
+use campaign::sweep_file::FileContent;
 
 /// What varies from case to case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,7 +48,6 @@ impl Quantity {
                 Some(f64::from(u8::from(found == label)))
             }
             Quantity::Severity(measure) => {
-                // Those that are read are the first of all.
                 let place = Measure::severities().position(|read| read == measure)?;
                 row.measures.get(place).copied().flatten()
             }
@@ -102,13 +102,28 @@ pub fn blocks_of(
     Ok(all)
 }
 
-/// The severities that tables have columns of: those along the axis, the last, where the bit cuts.
+/// The severities that all tables have columns of.
 fn severities_in(tables: &[ResultTables]) -> Vec<Measure> {
-    let cuts = tables
-        .iter()
-        .all(|tables| tables.manifest.sweep.has_cutting());
-    let is_there = |measure: &Measure| cuts || measure.motion() != Some(Motion::Axial);
-    Measure::severities().take_while(is_there).collect()
+    let is_in = |measure: &Measure, content: &FileContent| match measure.needs() {
+        Some(Needs::Cutting) => content.has_cutting(),
+        Some(Needs::Lying) => content.lies_on_low_side(),
+        Some(Needs::Shocks) => content.measures_shocks(),
+        _ => true,
+    };
+    let is_there = |measure: &Measure| (tables.iter()).all(|it| is_in(measure, &it.manifest.sweep));
+    Measure::severities().filter(is_there).collect()
+}
+
+/// A case with a place for every severity, of which only these were read.
+fn with_all_severities(mut case: CaseRows, read: &[Measure]) -> CaseRows {
+    for row in &mut case.rows {
+        let of = |measure: Measure| {
+            let place = read.iter().position(|it| *it == measure)?;
+            row.measures.get(place).copied().flatten()
+        };
+        row.measures = Measure::severities().map(of).collect();
+    }
+    case
 }
 
 /// The cases of all tables in the order of their numbers.
@@ -130,7 +145,8 @@ fn in_order(tables: &[ResultTables]) -> Result<impl Iterator<Item = Result<CaseR
                 Some((number, place))
             });
         let (_, place) = heads.min()?;
-        sources[place].next()
+        let case = sources[place].next()?;
+        Some(case.map(|case| with_all_severities(case, &severities)))
     }))
 }
 

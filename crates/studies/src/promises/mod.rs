@@ -2,6 +2,9 @@
 //! with a limit of stick-slip or of whirl; an accuracy is asked for, and the limit by what
 //! is chosen compared with one that no reference of the choice has a part in.
 
+mod cutting;
+mod cutting_labels;
+mod cutting_limits;
 mod default_limits;
 mod draw;
 mod finder;
@@ -15,6 +18,9 @@ mod whirl;
 use anyhow::{Context, Result};
 use rayon::prelude::*;
 
+pub use cutting::{CuttingProblem, Fed, HardestRock};
+pub use cutting_labels::{CuttingLabel, Small, cutting_labels};
+pub use cutting_limits::{CuttingLimit, Lengths, cutting_limits};
 pub use default_limits::{Found, Wanted, default_limits};
 pub use growth::{Onset, onsets_of_growth};
 pub use labels::{Tested, test_labels};

@@ -158,14 +158,44 @@ impl Problem {
         Self::of_kind(&mut draw, &kind, damped, Some(surroundings), begins)
     }
 
+    /// The same families for a bit that cuts, without a scene.
+    ///
+    /// # Errors
+    /// Where the string is invalid.
+    pub(super) fn draw_for_cutting(number: usize, seed: u64) -> Result<Self> {
+        let mut draw = Draw::new(seed, CUTTING_STREAM + number as u64);
+        let kind = Kind::of(number);
+        let damped = string(&mut draw, kind.shape, &kind.sizes, 4000.0)?;
+        Ok(Self::below_drive(&mut draw, &kind, damped, None))
+    }
+
     /// Under the drive of a kind, with a limit to be looked for.
     fn of_kind(
         draw: &mut Draw,
         kind: &Kind,
-        (string, loss): (Drillstring, f64),
+        damped: (Drillstring, f64),
         surroundings: Option<Surroundings>,
         begins: Begins,
     ) -> Result<Self> {
+        let mut problem = Self::below_drive(draw, kind, damped, surroundings);
+        let ratio = draw.uniform(1.1, 1.5);
+        // The drive moves the limit.
+        let bare = "sampling_frequency_hz = 1000\nsurface_speed_rpm = 60\n";
+        let string = problem.sweep(bare)?.setting.string;
+        if surroundings.is_some() {
+            problem.loss = -torsional_wave_left(&string).ln();
+        }
+        problem.scene = stick_slip_of(ratio, &string, begins)?;
+        Ok(problem)
+    }
+
+    /// A string under the drive of a kind, without a scene.
+    fn below_drive(
+        draw: &mut Draw,
+        kind: &Kind,
+        (string, loss): (Drillstring, f64),
+        surroundings: Option<Surroundings>,
+    ) -> Self {
         let (drive, inertia) = match kind.surface {
             Surface::Prescribed => (None, 0.0),
             Surface::Stiff => (Some("stiff"), draw.uniform(500.0, 4000.0)),
@@ -181,7 +211,7 @@ impl Problem {
             None => (String::new(), 0.0),
             Some(surroundings) => (surroundings.text(), surroundings.loss_factor),
         };
-        let mut problem = Self {
+        Self {
             number: kind.number,
             motion: Motion::StickSlip,
             shape: kind.shape.name(),
@@ -191,16 +221,7 @@ impl Problem {
             surroundings,
             scene: String::new(),
             text: drive + &around + &string_text(&string, loss_factor),
-        };
-        let ratio = draw.uniform(1.1, 1.5);
-        // The drive moves the limit.
-        let bare = "sampling_frequency_hz = 1000\nsurface_speed_rpm = 60\n";
-        let string = problem.sweep(bare)?.setting.string;
-        if surroundings.is_some() {
-            problem.loss = -torsional_wave_left(&string).ln();
         }
-        problem.scene = stick_slip_of(ratio, &string, begins)?;
-        Ok(problem)
     }
 
     /// Its string below a bit whose torque falls with its speed, the surface at two speeds, rpm.
@@ -216,6 +237,11 @@ impl Problem {
              torque_static_ratio = {ratio}\ntorque_decay_rpm = {decay}\n\n{}",
             at_speeds(speeds)
         );
+        self.with_scene(scene)
+    }
+
+    /// Its string in another scene.
+    pub(super) fn with_scene(&self, scene: String) -> Self {
         Self {
             scene,
             ..self.clone()
@@ -238,9 +264,11 @@ impl Problem {
     }
 }
 
-/// Random numbers of families, and of those in mud: no other problem has these.
+/// Random numbers of families, of those in mud, and of those whose bit cuts: no other problem has
+/// these.
 const FAMILY_STREAM: u64 = 1 << 33;
 const IN_MUD_STREAM: u64 = 1 << 34;
+const CUTTING_STREAM: u64 = 1 << 36;
 
 /// Of which kind the string of a number is.
 struct Kind {

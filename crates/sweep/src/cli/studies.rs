@@ -104,6 +104,10 @@ pub struct PromisesArguments {
     /// default sampling frequency, on strings in viscous mud, of a material with loss
     #[arg(long, conflicts_with_all = ["limits", "labels"])]
     pub growth: bool,
+    /// Test instead bits that cut: in which rock steady drilling begins to vibrate at the default
+    /// sampling frequency, against the exact criterion; with --labels, the labels of rocks about that
+    #[arg(long, conflicts_with_all = ["limits", "growth", "motion", "start"])]
+    pub cutting: bool,
     /// Strings of --limits in viscous mud, of a material with loss; their limits are compared with
     /// those of `held` in 4096 and 8192 steps per travel time
     #[arg(long, requires = "limits")]
@@ -111,7 +115,7 @@ pub struct PromisesArguments {
     /// How cases of --limits and of stick-slip in --labels begin
     #[arg(long, value_enum, default_value_t = Begins::Stuck)]
     pub start: Begins,
-    /// The methods of --limits
+    /// The methods of --limits and --cutting
     #[arg(long, value_name = "METHOD", value_delimiter = ',', default_values_t = [String::from("held")])]
     pub methods: Vec<String>,
     /// Take the exact limits of --limits from an earlier table of the same seed

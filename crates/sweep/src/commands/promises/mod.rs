@@ -1,6 +1,7 @@
 //! `sweep study promises`: how often an accuracy asked for is kept, or a label that is certain is
 //! right, on strings drawn at random.
 
+mod cutting;
 mod growth;
 mod labels;
 mod limits;
@@ -18,7 +19,10 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::PromisesArguments;
 use results::files::write_atomically;
-use studies::promises::{Motion, Wanted, default_limits, onsets_of_growth, run, test_labels};
+use studies::promises::{
+    Motion, Wanted, cutting_labels, cutting_limits, default_limits, onsets_of_growth, run,
+    test_labels,
+};
 use table::{columns, summary};
 
 /// Puts promises to the test and writes their table.
@@ -30,7 +34,7 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
     let motions: Vec<Motion> = Motion::ALL.into_iter().filter(is_wanted).collect();
     let limit = arguments.memory.limit();
     let strings = arguments.strings as usize;
-    let has_one_motion = arguments.limits || arguments.growth;
+    let has_one_motion = arguments.limits || arguments.growth || arguments.cutting;
     let motions_of_table = if has_one_motion { 1 } else { motions.len() };
     let progress = Progress::new(motions_of_table * strings, 0, arguments.quiet, terminal);
     let tick = || progress.tick();
@@ -49,6 +53,20 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
         let found = found?;
         let table = csv_table(found.iter().map(limits::columns))?;
         ("limits.csv", table, limits::summary(&found))
+    } else if arguments.cutting && arguments.labels {
+        let found = cutting_labels(strings, arguments.seed, &tick);
+        progress.finish();
+        let cases = found?;
+        let table = csv_table(cases.iter().map(cutting::label_columns))?;
+        let text = cutting::label_summary(&cases);
+        ("cutting_labels.csv", table, text)
+    } else if arguments.cutting {
+        let methods = wanted_methods(&arguments.methods)?;
+        let found = cutting_limits(&methods, strings, arguments.seed, &tick);
+        progress.finish();
+        let limits = found?;
+        let table = csv_table(limits.iter().map(cutting::columns))?;
+        ("cutting_limits.csv", table, cutting::summary(&limits))
     } else if arguments.growth {
         let found = onsets_of_growth(strings, arguments.seed, &tick);
         progress.finish();
