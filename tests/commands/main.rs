@@ -6,6 +6,7 @@ mod certain;
 mod command_line;
 mod cutting;
 mod documents;
+mod drive_delay;
 mod export;
 mod lying;
 mod motor;

@@ -197,3 +197,33 @@ impl<'a> AtSurface<'a> {
         Some(first + self.turn(delay, between, to, halvings + 1)?)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::controllers;
+    use crate::validation::academic;
+
+    /// At the longest delay a root is on the axis, and there alone Q comes near zero.
+    #[test]
+    fn at_the_longest_delay_a_root_crosses_the_axis() {
+        let bare = academic::string();
+        let drive = controllers::soft_torque(&bare, 2000.0);
+        let string = bare.clone().with_top_drive(drive).unwrap();
+        let longest = longest_delay(&string).unwrap().unwrap();
+        let surface = AtSurface::new(&bare, drive).unwrap();
+        let least = |delay: f64| {
+            let omegas = (1..40_000).map(|step| 5e-4 * f64::from(step));
+            let sizes = omegas.map(|omega| {
+                let [late, at_once] = surface.parts(delay, omega);
+                (late / at_once).norm()
+            });
+            sizes.fold(f64::INFINITY, f64::min)
+        };
+        assert!(least(longest) < 2e-3);
+        for (part, roots) in [(0.97, 0), (1.03, 2)] {
+            assert!(least(part * longest) > 1e-2);
+            assert_eq!(surface.growing(part * longest), Some(roots));
+        }
+    }
+}

@@ -29,6 +29,8 @@ pub struct SurfaceTorque {
     from_sites: Vec<Kernels>,
     /// The site that is the bit, where one is.
     bit_site: Option<usize>,
+    /// How many steps ago the speed was measured that the controller answers to.
+    late_by: f64,
 }
 
 impl SurfaceTorque {
@@ -79,7 +81,18 @@ impl SurfaceTorque {
                 .map(|taps| Kernels::of(&[vec![taps]]))
                 .collect(),
             bit_site: responses.sites.bit_site(),
+            late_by: 0.0,
         })
+    }
+
+    /// The same below a drive whose controller answers to its speed of a time (s) ago: what comes up
+    /// from the string turns the motor at once, and its torque so much later.
+    #[must_use]
+    pub fn answering_late(self, delay: f64) -> Self {
+        Self {
+            late_by: delay * self.sampling.frequency,
+            ..self
+        }
     }
 
     /// The torque in every step of a motion, N m, that begins with a start and whose surface
@@ -111,11 +124,21 @@ impl SurfaceTorque {
         for (site, loads) in at_bit.filter(|_| !rubs).into_iter().chain(at_sites) {
             let loads: Vec<f64> = loads;
             let come_up = convolved(&self.from_sites[site], &loads);
-            for (torque, from_below) in torques.iter_mut().zip(come_up) {
-                *torque -= from_below;
+            for (step, torque) in torques.iter_mut().enumerate() {
+                *torque -= self.late(&come_up, step);
             }
         }
         torques
+    }
+
+    /// A series as it was when the controller measured, straight on between two steps.
+    fn late(&self, series: &[f64], step: usize) -> f64 {
+        let (whole, part) = (self.late_by as usize, self.late_by.fract());
+        let before = |steps: usize| step.checked_sub(steps).map_or(0.0, |it| series[it]);
+        match part {
+            0.0 => before(whole),
+            part => (1.0 - part) * before(whole) + part * before(whole + 1),
+        }
     }
 
     /// What the rotor takes, per unit of surface speed.

@@ -112,7 +112,8 @@ pub(super) fn build(
         let of_nodes = ResponsePlan::new(string, method, &request)?.build(&passing)?;
         let taps = SurfaceTorquePlan::new(string, method, &request)?.build(&passing)?;
         SurfaceTorque::ask(nodes, taps.len(), budget)?;
-        let surface = SurfaceTorque::new(&of_nodes, &taps, profile, inertia)?;
+        let surface = SurfaceTorque::new(&of_nodes, &taps, profile, inertia)?
+            .answering_late(setting.drive_delay());
         bends(SimulatorPlan::of_responses(&of_nodes)).ask(budget)?;
         (System::started(&of_nodes, profile)?, Some(surface))
     };

@@ -182,7 +182,8 @@ impl MethodSystem {
         };
         let taps = linear::surface_torque(&setting.string, &self.method, &plan.request())?;
         let (profile, inertia) = (&setting.profile, setting.rotor_inertia);
-        let torque = SurfaceTorque::new(&self.responses, &taps, profile, inertia)?;
+        let torque = SurfaceTorque::new(&self.responses, &taps, profile, inertia)?
+            .answering_late(self.setting.drive_delay());
         self.surface_torque = Some(torque);
         Ok(())
     }

@@ -254,6 +254,11 @@ impl Setting {
         self.lateral.as_ref().filter(|_| self.lying.is_none())
     }
 
+    /// How late the controller of its drive answers, s.
+    pub fn drive_delay(&self) -> f64 {
+        self.string.top_drive().map_or(0.0, |drive| drive.delay)
+    }
+
     /// Refuses a frequency at which nothing is felt of an impulse, or of a wave on its way; `cuts`
     /// says whether a torque acts on the bit.
     pub(super) fn check_sampling(&self, source: &Source, cuts: bool) -> Result<(), SweepFileError> {

@@ -2,7 +2,7 @@
 //! response, limits, energy, passivity and modes of random strings.
 
 use linear::controllers;
-use linear::drive_delay::{growing_roots, longest_delay};
+use linear::drive_delay::longest_delay;
 use linear::estimates::{
     first_mode, torsional_impedance, torsional_travel_time, winding_stiffness,
 };
@@ -348,23 +348,6 @@ fn val_the_longest_delay_of_a_rotor_is_that_of_the_closed_form() {
             (longest / expected - 1.0).abs() < 3e-3,
             "{longest} {expected}"
         );
-    }
-}
-
-/// The count of roots that grow against the poles themselves, found one by one: none below the longest
-/// delay, one that swings just beyond it.
-#[test]
-fn val_beyond_the_longest_delay_a_mode_grows() {
-    let string = academic::string();
-    let drive = controllers::soft_torque(&string, 2000.0);
-    let longest = longest_delay(&below(&string, drive)).unwrap().unwrap();
-    for (part, roots) in [(0.98, 0), (1.02, 2)] {
-        let delay = part * longest;
-        let string = below(&string, TopDrive { delay, ..drive });
-        assert_eq!(growing_roots(&string).unwrap(), Some(roots));
-        let modes = torsional_modes(&string, 40).unwrap();
-        let growing = modes.iter().filter(|mode| mode.damping_ratio() < 0.0);
-        assert_eq!(2 * growing.count(), roots, "{part}");
     }
 }
 
