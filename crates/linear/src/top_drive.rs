@@ -3,7 +3,6 @@
 
 use num_complex::Complex64;
 
-use crate::assembly::number::Number;
 use crate::error::DrillstringError;
 
 /// A top drive under proportional and integral control: with e the set speed less its own, its
@@ -58,21 +57,10 @@ impl TopDrive {
     /// Torque per speed that it opposes at the Laplace variable s (rad/s):
     /// s J + (K_p + K_i/s) e^(−s τ).
     pub fn impedance(&self, s: Complex64) -> Complex64 {
+        if self.delay == 0.0 {
+            return s * self.inertia + self.proportional_gain + self.integral_gain / s;
+        }
         let controlled = self.integral_gain / s + self.proportional_gain;
-        s * self.inertia + controlled * self.late(s).unwrap_or(Complex64::ONE)
-    }
-
-    /// e^(−s τ), where there is a delay.
-    pub(crate) fn late<T: Number>(&self, s: T) -> Option<T> {
-        let is_late = self.delay > 0.0;
-        is_late.then(|| s.each(|s| (-self.delay * s).exp()))
-    }
-
-    /// The same in steps of a time (s), at the delay ζ of one: straight on between two of them.
-    pub(crate) fn late_in_steps<T: Number>(&self, zeta: T, step: f64) -> Option<T> {
-        let steps = self.delay / step;
-        let (whole, part) = (steps.floor(), steps.fract());
-        let late = |zeta: Complex64| zeta.powi(whole as i32) * (zeta * part + (1.0 - part));
-        (self.delay > 0.0).then(|| zeta.each(late))
+        s * self.inertia + controlled * (-self.delay * s).exp()
     }
 }

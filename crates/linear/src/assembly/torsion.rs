@@ -119,6 +119,21 @@ impl<T: Number> Drive<T> {
     }
 }
 
+/// What a delay of a drive's controller makes of the motion that it measures, e^(−s τ), where it has
+/// one.
+pub fn late<T: Number>(drive: &TopDrive, s: T) -> Option<T> {
+    let is_late = drive.delay > 0.0;
+    is_late.then(|| s.each(|s| (-drive.delay * s).exp()))
+}
+
+/// The same in steps of a time (s), at the delay ζ of one: straight on between two of them.
+pub fn late_in_steps<T: Number>(drive: &TopDrive, zeta: T, step: f64) -> Option<T> {
+    let steps = drive.delay / step;
+    let (whole, part) = (steps.floor(), steps.fract());
+    let late = |zeta: Complex64| zeta.powi(whole as i32) * (zeta * part + (1.0 - part));
+    (drive.delay > 0.0).then(|| zeta.each(late))
+}
+
 /// The frequency response D of Eq. 48 between surface and sites.
 #[derive(Debug, Clone)]
 pub struct TorsionAdmittance<T = Complex64> {

@@ -167,7 +167,7 @@ impl ElementChain<'_> {
         self.string.top_drive().map(|drive| {
             let rotation = rates.velocity.inverse();
             let acceleration = rates.acceleration * rotation;
-            let late = drive.late_in_steps(rates.zeta, self.weights.step);
+            let late = torsion::late_in_steps(&drive, rates.zeta, self.weights.step);
             Drive::of(&drive, [acceleration, T::real(1.0), rotation], late)
         })
     }

@@ -38,7 +38,7 @@ use std::sync::Arc;
 use crate::assembly::chain::Stiffness;
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
-    Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
+    Drive, DynamicStiffness, TorsionAdmittance, late_in_steps, reduce, torque_at_surface,
 };
 use crate::distributed_loss::{Interpolated, LossAlong, LossAt};
 use crate::drillstring::{Drillstring, Section, Tube};
@@ -190,7 +190,7 @@ impl Lattice {
         self.top_drive.map(|drive| {
             let rotation = waves.opposite * (0.5 * self.step);
             let acceleration = waves.alike * (2.0 / self.step);
-            let late = drive.late_in_steps(zeta, self.step);
+            let late = late_in_steps(&drive, zeta, self.step);
             Drive::of(&drive, [acceleration, T::real(1.0), rotation], late)
         })
     }

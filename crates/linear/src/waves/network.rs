@@ -26,7 +26,7 @@ use super::torsion::uniform;
 use crate::assembly::chain::{self, Ends, Stiffness};
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
-    Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
+    Drive, DynamicStiffness, TorsionAdmittance, late, reduce, torque_at_surface,
 };
 use crate::distributed_loss::{Interpolated, LossAlong};
 use crate::drillstring::{Drillstring, Tube};
@@ -79,7 +79,7 @@ impl<'a> TorsionNetwork<'a> {
 
     pub(crate) fn drive<T: Number>(&self, s: T) -> Option<Drive<T>> {
         let drive = self.string.top_drive();
-        drive.map(|drive| Drive::of(&drive, [s * s, s, T::real(1.0)], drive.late(s)))
+        drive.map(|drive| Drive::of(&drive, [s * s, s, T::real(1.0)], late(&drive, s)))
     }
 
     /// Torque per speed at the surface where all turns alike for ever.
