@@ -228,6 +228,11 @@ fn what_does_not_go_with_a_string_that_lies_is_refused_by_its_key() {
             "g",
         ),
         (
+            LYING.replace("finite-element", "hilbert"),
+            "methods[0]",
+            "slow tail",
+        ),
+        (
             LYING.replace("inclination_deg = 30", "inclination_deg = 200"),
             "well.inclination_deg",
             "180",

@@ -11,7 +11,7 @@ use super::data::Data;
 use super::hole::survey_along;
 use super::lateral::LateralSettings;
 use super::wall::WallSettings;
-use crate::sweep_file::{FileContent, Source, SweepFileError};
+use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
 
 /// The part of its clearance by which a site that does not touch is kept from its wall, so that no
 /// rounding makes it touch.
@@ -58,6 +58,12 @@ pub fn resolve(
     for (index, impulse) in content.impulses.iter().enumerate() {
         let key = format!("impulses[{index}].ratio");
         source.refuse_if(impulse.amount_ns.is_none(), &key, message)?;
+    }
+    let message = "loses the slow tail of the displacement, without which a string that lies in its hole \
+                   does not come back to where it lies: use held, quadrature or finite-element";
+    for (index, name) in content.methods.iter().enumerate() {
+        let loses_tail = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);
+        source.refuse_if(loses_tail, &format!("methods[{index}]"), message)?;
     }
     let survey = survey_along(source, data, string)?;
     Ok(survey.map(|survey| Lying {

@@ -23,6 +23,8 @@ pub fn orbit_picture(
 ) -> Picture {
     let units = sweep.content.units;
     let width = units.of(&WIDTH);
+    // A string that lies in its hole is seen with the low side down.
+    let lies = sweep.setting.lying.is_some();
     let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();
     let of_sites = distances.map(|(site, &distance)| {
         let of_site = |simulation: &Simulation| Series {
@@ -30,6 +32,7 @@ pub fn orbit_picture(
             style: style(simulation, simulations),
             points: simulation.trajectory.positions[site]
                 .iter()
+                .map(|[x, y]| if lies { [y, x] } else { [x, y] })
                 .map(|[x, y]| (width.number(1e3 * x), width.number(1e3 * y)))
                 .collect(),
         };
@@ -39,8 +42,15 @@ pub fn orbit_picture(
         let at_site = |clearances: &[f64]| clearances.get(site).copied();
         let circles = shown_clearances(cases, at_site, &width, radii);
         let (site, unit) = (site_title(distance, units), &width.name);
+        let axes = match lies {
+            true => [
+                format!("to the right at {site} ({unit})"),
+                format!("to the high side ({unit})"),
+            ],
+            false => [format!("x at {site} ({unit})"), format!("y ({unit})")],
+        };
         Orbit {
-            axes: [format!("x at {site} ({unit})"), format!("y ({unit})")].map(Axis::linear),
+            axes: axes.map(Axis::linear),
             has_one_scale: true,
             series,
             circles,
