@@ -120,9 +120,8 @@ fn a_shard_that_is_complete_is_not_said_to_have_a_map() {
 /// `labels.csv`: a grid that certifies, a file with walls and found sites, and measures of each.
 #[test]
 fn rows_from_records_are_those_of_the_table() {
-    use campaign::records::Measure;
+    use campaign::records::{Measure, Needs};
     use results::folder::{LabelRow, Manifest, label_rows};
-    use sim::Motion;
 
     let sweeps = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../sweeps");
     let certified = "certify = true\nmethods = [\"held\", \"finite-element\"]\n";
@@ -144,8 +143,12 @@ fn rows_from_records_are_those_of_the_table() {
         assert_eq!(output.code, 0, "{base}: {}", output.errors);
         let folder = place.path("out");
         let axes = Manifest::read(&folder).unwrap().axes;
-        // Without a bit that cuts there are no columns of the axis.
-        let is_there = |measure: &Measure| measure.motion() != Some(Motion::Axial);
+        // Without a bit that cuts there are no columns of the axis, in an upright well none of a string
+        // that lies.
+        let is_there = |measure: &Measure| {
+            let absent = [Needs::Cutting, Needs::Lying, Needs::Shocks];
+            !measure.needs().is_some_and(|needs| absent.contains(&needs))
+        };
         let measures: Vec<Measure> = Measure::severities().filter(is_there).collect();
         let rows = || -> Vec<LabelRow> {
             let rows = label_rows(&folder.join("labels.csv"), &axes, &measures).unwrap();
