@@ -134,7 +134,8 @@ impl SurfaceTorque {
     /// A series as it was when the controller measured, straight on between two steps.
     fn late(&self, series: &[f64], step: usize) -> f64 {
         let (whole, part) = (self.late_by as usize, self.late_by.fract());
-        let before = |steps: usize| step.checked_sub(steps).map_or(0.0, |it| series[it]);
+        let at = |step: usize| series.get(step).copied().unwrap_or(0.0);
+        let before = |steps: usize| step.checked_sub(steps).map_or(0.0, at);
         match part {
             0.0 => before(whole),
             part => (1.0 - part) * before(whole) + part * before(whole + 1),
