@@ -204,7 +204,7 @@ fn val_friction_a_wall_a_bit_and_a_drive_go_together_by_three_methods() {
             "[mud]\ndensity_ppg = 10\n",
             "[top_drive]\ninertia_kg_m2 = 2900\ncontroller = \"stiff\"\n\
              [bit]\ntorque_static_ratio = 1.6\n\
-             [wall]\nclearance_mm = 30\nfriction = 0.8\nstiffness_gn_m15 = 1\n\
+             [wall]\nclearance_mm = 30\nfriction = 0.8\nstiffness_gn_m15 = 1\nlies_on_low_side = false\n\
              [[sites]]\ndistance_from_bit_m = 20\n[[sites]]\ndistance_from_bit_m = 0\n\
              [[impulses]]\ndistance_from_bit_m = 20\namount_ns = 1000\nduration_s = 0.05\nstart_s = 12\n",
         );

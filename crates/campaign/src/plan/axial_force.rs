@@ -53,7 +53,8 @@ pub fn resolve(
     let Some(table) = content.axial_force.or(of_lying) else {
         return Ok((string, None));
     };
-    let key = "axial_force";
+    let is_asked = content.axial_force.is_some();
+    let key = if is_asked { "axial_force" } else { "wall" };
     let Some(lateral) = lateral else {
         let message = "matters to a string that bends: needs a [wall]";
         return Err(source.error(key, message));
@@ -61,6 +62,12 @@ pub fn resolve(
     let is_known = conditions.has(Axis::WeightOnBitKn, design);
     let message = "the weight on bit is not known: needs that and a rock in [bit], or no [bit] for \
                    a string off bottom";
+    let by_default = "the string lies on it under its weight (`lies_on_low_side = false` leaves it in the \
+                      middle of its hole), and ";
+    let message = match is_asked {
+        true => message.to_owned(),
+        false => format!("{by_default}{message}"),
+    };
     source.refuse_if(content.bit.is_some() && !is_known, key, message)?;
     let tolerance = table.tolerance;
     source.within("axial_force.tolerance", tolerance, 1e-4, 0.1, "")?;
