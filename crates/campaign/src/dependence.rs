@@ -5,7 +5,9 @@ use anyhow::Result;
 use linear::{Method, parallel};
 use serde::{Deserialize, Serialize};
 
-use crate::engine::{Case, Recipe, RunOptions, Shard, StringMemory, answer, has_case, setting_of};
+use crate::engine::{
+    Case, MethodSystem, Recipe, RunOptions, Shard, StringMemory, answer, has_case, setting_of,
+};
 
 use crate::records::{FINER, Record};
 
@@ -107,8 +109,14 @@ impl Dependence {
 
 /// How often labels by the first method of a part of a sweep change with the method, the sampling
 /// frequency and the start. A variant that a method does not treat is left out. All parts together
-/// have the cases of the whole.
-pub fn dependences(sweep: &Sweep, shard: Shard, options: RunOptions) -> Vec<Dependence> {
+/// have the cases of the whole. `built` is the system of the first method for all cases, of the
+/// string as the file says it.
+pub fn dependences(
+    sweep: &Sweep,
+    shard: Shard,
+    options: RunOptions,
+    built: &MethodSystem,
+) -> Vec<Dependence> {
     let sampled = |case: usize| Sampled {
         case,
         is_own: has_case(shard, &sweep.design, case),
@@ -121,8 +129,9 @@ pub fn dependences(sweep: &Sweep, shard: Shard, options: RunOptions) -> Vec<Depe
     };
     let has_own = |cases: &&Vec<Sampled>| cases.iter().any(|it| it.is_own);
     // One string after the other, for their memory.
+    let built = Some(built).filter(|_| !sweep.design.varies_string());
     let of_string = |cases: &Vec<Sampled>| match OfString::new(sweep, cases, options) {
-        Ok(of_string) => of_string.counts(&variants),
+        Ok(of_string) => of_string.counts(&variants, built),
         Err(_) => vec![None; variants.len()],
     };
     let counts: Vec<Vec<Option<[usize; 2]>>> =
@@ -282,15 +291,19 @@ impl<'a> OfString<'a> {
     }
 
     /// Cases with an answer both ways, and those with another label, by variant; none where no
-    /// method treats it.
-    fn counts(&self, variants: &[Variant]) -> Vec<Option<[usize; 2]>> {
+    /// method treats it. `built` is its system as the sweep has it, where that is there.
+    fn counts(
+        &self,
+        variants: &[Variant],
+        built: Option<&MethodSystem>,
+    ) -> Vec<Option<[usize; 2]>> {
         let begun_otherwise = |variant: &&Variant| matches!(variant.change, Change::Start(_));
         let others = variants.iter().filter(begun_otherwise);
         let starts: Vec<Starts> = [self.sweep.starts]
             .into_iter()
             .chain(others.map(|variant| variant.starts))
             .collect();
-        let own = self.records(&starts, &self.setting, self.sweep.methods[0]);
+        let own = self.records(&starts, &self.setting, self.sweep.methods[0], built);
         let Some((as_run, otherwise)) = own.as_deref().and_then(<[Records]>::split_first) else {
             return vec![own.map(|_| [0, 0]); variants.len()];
         };
@@ -299,20 +312,21 @@ impl<'a> OfString<'a> {
             Change::Start(_) => otherwise.next().map(|it| differing(as_run, it)),
             _ => {
                 let setting = variant.setting(&self.setting);
-                let records = self.records(&[variant.starts], &setting, variant.method)?;
+                let records = self.records(&[variant.starts], &setting, variant.method, None)?;
                 Some(records.first().map_or([0, 0], |it| differing(as_run, it)))
             }
         };
         variants.iter().map(count).collect()
     }
 
-    /// Records with each of some starts; none of them where the system would take longer to build
-    /// than the sweep.
+    /// Records with each of some starts, by a system that is there or is built; none of them where
+    /// that would take longer than the sweep.
     fn records(
         &self,
         starts: &[Starts],
         setting: &Setting,
         method: Method,
+        built: Option<&MethodSystem>,
     ) -> Option<Vec<Records>> {
         let with_start = |starts: &Starts| Sweep {
             starts: *starts,
@@ -329,16 +343,22 @@ impl<'a> OfString<'a> {
         if !is_worth_building(self.sweep, setting, longest) {
             return Some(Vec::new());
         }
-        let system = Recipe::of(self.sweep, setting, method, longest)
-            .build()
-            .ok()?;
+        let alone;
+        let system = match built {
+            Some(built) => built,
+            None => {
+                let recipe = Recipe::of(self.sweep, setting, method, longest);
+                alone = recipe.build().ok()?;
+                &alone
+            }
+        };
         if system.instability().is_some() {
             return None;
         }
         let records = |(sweep, cases): (&Sweep, &Vec<Option<Case>>)| {
             parallel::map(cases.len(), 1, |place| {
                 let case = cases[place].as_ref().filter(|_| self.cases[place].is_own)?;
-                Some(answer(&system, case, 0, self.options, sweep))
+                Some(answer(system, case, 0, self.options, sweep))
             })
         };
         Some(sweeps.iter().zip(&cases).map(records).collect())
@@ -400,12 +420,20 @@ mod tests {
         Sweep::read_from(Path::new("sweep.toml"), &[], &read).unwrap()
     }
 
+    /// As a run of all cases has it.
+    fn system(sweep: &Sweep) -> MethodSystem {
+        let longest = crate::engine::survey(sweep).unwrap().longest;
+        Recipe::of(sweep, &sweep.setting, sweep.methods[0], longest)
+            .build()
+            .unwrap()
+    }
+
     /// Labels are examined, and where that would take longer than the sweep the output says that
     /// they are not.
     #[test]
     fn what_takes_longer_than_a_sweep_is_left_out() {
         let examined = |sweep: &Sweep| -> Vec<usize> {
-            let found = dependences(sweep, Shard::WHOLE, RunOptions::default());
+            let found = dependences(sweep, Shard::WHOLE, RunOptions::default(), &system(sweep));
             found.iter().map(|dependence| dependence.cases).collect()
         };
         assert_eq!(examined(&sweep(2, 8)), [8, 8, 8]);
@@ -415,7 +443,8 @@ mod tests {
     #[test]
     fn parts_of_a_sweep_have_together_what_the_whole_has() {
         let sweep = sweep(2, 30);
-        let of = |shard| dependences(&sweep, shard, RunOptions::default());
+        let system = system(&sweep);
+        let of = |shard| dependences(&sweep, shard, RunOptions::default(), &system);
         let parts: Vec<Vec<Dependence>> = (0..7).map(|index| of(Shard { index, of: 7 })).collect();
         assert_eq!(together(parts.iter().map(Vec::as_slice)), of(Shard::WHOLE));
         assert!(parts.iter().all(|part| part.iter().all(|it| it.cases < 12)));

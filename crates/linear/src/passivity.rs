@@ -43,9 +43,10 @@ use std::sync::Arc;
 use num_complex::Complex64;
 use numerics::{Mat, eigenvalues};
 
-use crate::budget::COMPLEX;
+use crate::budget::{COMPLEX, REAL};
 use crate::error::{BuildError, ResponseError};
 use crate::fft::{self, RealToComplex};
+use crate::parallel;
 
 /// Below this margin a response is counted as unstable in sticking. Rounding
 /// and the cut tail of a response stay well within it.
@@ -158,21 +159,50 @@ fn transform_length(taps: usize) -> usize {
     REFINEMENT * taps.next_power_of_two()
 }
 
-/// Memory, bytes, that the margin of a number of inputs takes, of responses of a number of taps.
-pub(crate) fn bytes(inputs: usize, taps: usize) -> f64 {
+/// Memory, bytes, that the margin of a number of inputs takes, of responses of a number of taps,
+/// the same in both directions or not.
+pub(crate) fn bytes(inputs: usize, taps: usize, reciprocity: Reciprocity) -> f64 {
     if inputs == 0 {
         return 0.0;
     }
     let length = transform_length(taps) as f64;
     let entries = (inputs * (inputs + 1) / 2) as f64;
-    entries * 0.5 * COMPLEX * length + TRANSFORM * length
+    let entry = match reciprocity {
+        Reciprocity::Exact => REAL,
+        Reciprocity::None => COMPLEX,
+    };
+    // On each thread two transforms, and what they leave.
+    let threads = parallel::threads().min(inputs) as f64;
+    entries * 0.5 * entry * length + threads * 2.0 * (TRANSFORM + COMPLEX) * length
+}
+
+/// Whether responses are the same in both directions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reciprocity {
+    /// To the last digit.
+    Exact,
+    /// Not so, or not known to be.
+    None,
+}
+
+impl Reciprocity {
+    /// That of responses between driving points, by output and input.
+    pub(crate) fn of<'a>(inputs: usize, taps: impl Fn(usize, usize) -> &'a [f64]) -> Self {
+        let mut below = (0..inputs).flat_map(|row| (0..row).map(move |column| (row, column)));
+        match below.all(|(row, column)| taps(row, column) == taps(column, row)) {
+            true => Self::Exact,
+            false => Self::None,
+        }
+    }
 }
 
 /// The Hermitian part of a square of responses, at frequencies up to Nyquist.
 struct HermitianPart {
     inputs: usize,
-    /// On and below the diagonal, row by row.
-    entries: Vec<Vec<Complex64>>,
+    /// Real parts on and below the diagonal, row by row.
+    real: Vec<Vec<f64>>,
+    /// The imaginary ones; none where responses are the same in both directions.
+    imaginary: Option<Vec<Vec<f64>>>,
 }
 
 /// One in this number of frequencies is computed first, for a bound that spares most others.
@@ -184,60 +214,103 @@ impl HermitianPart {
         spectrometer: &Spectrometer,
         taps: impl Fn(usize, usize) -> &'a [f64],
     ) -> Self {
-        let mut entries = Vec::with_capacity(inputs * (inputs + 1) / 2);
-        for row in 0..inputs {
-            for column in 0..row {
-                let mut one = spectrometer.spectrum(taps(row, column));
-                let other = spectrometer.spectrum(taps(column, row));
-                for (one, other) in one.iter_mut().zip(other) {
-                    *one = 0.5 * (*one + other.conj());
+        let taps: Vec<Vec<&[f64]>> = (0..inputs)
+            .map(|row| (0..inputs).map(|column| taps(row, column)).collect())
+            .collect();
+        let is_reciprocal =
+            Reciprocity::of(inputs, |row, column| taps[row][column]) == Reciprocity::Exact;
+        let rows = parallel::map(inputs, 1, |row| {
+            let mut work = spectrometer.work();
+            let mut entries = Vec::with_capacity(row + 1);
+            for column in 0..=row {
+                spectrometer.spectrum(taps[row][column], &mut work);
+                let one = &work.spectrum;
+                if is_reciprocal || row == column {
+                    entries.push((one.iter().map(|it| it.re).collect(), None));
+                    continue;
                 }
-                entries.push(one);
+                let mut mean = one.clone();
+                spectrometer.spectrum(taps[column][row], &mut work);
+                for (mean, other) in mean.iter_mut().zip(&work.spectrum) {
+                    *mean = 0.5 * (*mean + other.conj());
+                }
+                let parts = (
+                    mean.iter().map(|it| it.re).collect(),
+                    Some(mean.iter().map(|it| it.im).collect()),
+                );
+                entries.push(parts);
             }
-            entries.push(spectrometer.spectrum(taps(row, row)));
+            entries
+        });
+        let (real, imaginary): (Vec<Vec<f64>>, Vec<Option<Vec<f64>>>) =
+            rows.into_iter().flatten().unzip();
+        let imaginary = imaginary.into_iter().map(Option::unwrap_or_default);
+        Self {
+            inputs,
+            real,
+            imaginary: (!is_reciprocal).then(|| imaginary.collect()),
         }
-        Self { inputs, entries }
     }
 
     /// Number of frequencies.
     fn len(&self) -> usize {
-        self.entries[0].len()
+        self.real[0].len()
+    }
+
+    /// Place of an entry on or below the diagonal.
+    fn place(row: usize, column: usize) -> usize {
+        row * (row + 1) / 2 + column
     }
 
     fn at(&self, frequency: usize) -> Mat<Complex64> {
-        let entry =
-            |row: usize, column: usize| self.entries[row * (row + 1) / 2 + column][frequency];
+        let entry = |row: usize, column: usize| {
+            let place = Self::place(row, column);
+            let imaginary = self.imaginary.as_ref().map(|it| it[place][frequency]);
+            Complex64::new(self.real[place][frequency], imaginary.unwrap_or(0.0))
+        };
         Mat::from_fn(self.inputs, self.inputs, |row, column| {
             match row.cmp(&column) {
                 Ordering::Less => entry(column, row).conj(),
-                Ordering::Equal => entry(row, row).re.into(),
+                Ordering::Equal => self.real[Self::place(row, row)][frequency].into(),
                 Ordering::Greater => entry(row, column),
             }
         })
     }
 
-    /// The smallest eigenvalue at any frequency, and the frequency. Where the matrix less
-    /// the smallest found so far is positive definite, which a Cholesky factorisation tells
-    /// for a fraction of the work, there is none smaller.
+    /// Whether all eigenvalues at a frequency are greater than a bound: a Cholesky factorisation
+    /// tells for a fraction of the work of finding them.
+    fn are_above(&self, bound: f64, frequency: usize) -> bool {
+        if self.imaginary.is_some() {
+            let mut matrix = self.at(frequency);
+            for input in 0..self.inputs {
+                matrix[(input, input)] -= bound;
+            }
+            return eigenvalues::are_positive(&matrix);
+        }
+        let lower = Mat::from_fn(self.inputs, self.inputs, |row, column| {
+            match row.cmp(&column) {
+                Ordering::Less => 0.0,
+                Ordering::Equal => self.real[Self::place(row, row)][frequency] - bound,
+                Ordering::Greater => self.real[Self::place(row, column)][frequency],
+            }
+        });
+        eigenvalues::are_positive_of_symmetric(&lower)
+    }
+
+    /// The smallest eigenvalue at any frequency, and the frequency.
     fn smallest_eigenvalue(&self) -> Result<(f64, usize), BuildError> {
         let mut smallest = (f64::INFINITY, 0);
         if self.inputs == 1 {
-            for (frequency, entry) in self.entries[0].iter().enumerate() {
-                if entry.re < smallest.0 {
-                    smallest = (entry.re, frequency);
+            for (frequency, entry) in self.real[0].iter().enumerate() {
+                if *entry < smallest.0 {
+                    smallest = (*entry, frequency);
                 }
             }
             return Ok(smallest);
         }
         for frequency in (0..self.len()).step_by(STRIDE).chain(0..self.len()) {
-            let mut matrix = self.at(frequency);
-            if smallest.0.is_finite() {
-                for input in 0..self.inputs {
-                    matrix[(input, input)] -= smallest.0;
-                }
-                if eigenvalues::are_positive(&matrix) {
-                    continue;
-                }
+            if smallest.0.is_finite() && self.are_above(smallest.0, frequency) {
+                continue;
             }
             let found = smallest_eigenvalue(&self.at(frequency))?;
             if found < smallest.0 {
@@ -293,37 +366,57 @@ impl Spectrometer {
         }
     }
 
-    fn spectrum(&self, taps: &[f64]) -> Vec<Complex64> {
+    /// Memory for its transforms.
+    fn work(&self) -> Work {
+        Work {
+            padded: self.forward.make_input_vec(),
+            spectrum: self.forward.make_output_vec(),
+            rough: match self.ending {
+                Ending::Cut => self.forward.make_output_vec(),
+                Ending::Whole | Ending::Ringing => Vec::new(),
+            },
+            scratch: self.forward.make_scratch_vec(),
+        }
+    }
+
+    /// Leaves the spectrum of taps in `work`.
+    fn spectrum(&self, taps: &[f64], work: &mut Work) {
         if self.ending == Ending::Whole {
-            return self.transform(taps.iter().copied());
+            return self.transform(taps.iter().copied(), work);
         }
         let count = taps.len() as f64;
         let weighted = taps.iter().enumerate();
         let weighted = weighted.map(|(index, tap)| tap * (1.0 - index as f64 / count));
-        let mut spectrum = self.transform(weighted);
         if self.ending == Ending::Ringing {
-            return spectrum;
+            return self.transform(weighted, work);
         }
-        let rough = self.transform(half_differences(taps).into_iter());
-        let from = spectrum.len() - self.undone.len();
-        let upper = spectrum.iter_mut().zip(rough).skip(from);
+        self.transform(half_differences(taps).into_iter(), work);
+        std::mem::swap(&mut work.spectrum, &mut work.rough);
+        self.transform(weighted, work);
+        let from = work.spectrum.len() - self.undone.len();
+        let upper = work.spectrum.iter_mut().zip(&work.rough).skip(from);
         for ((value, rough), undone) in upper.zip(&self.undone) {
             *value = rough * undone;
         }
-        spectrum
     }
 
-    fn transform(&self, taps: impl Iterator<Item = f64>) -> Vec<Complex64> {
-        let mut padded = self.forward.make_input_vec();
-        for (padded, tap) in padded.iter_mut().zip(taps) {
-            *padded = tap;
-        }
-        let mut spectrum = self.forward.make_output_vec();
+    fn transform(&self, taps: impl Iterator<Item = f64>, work: &mut Work) {
+        let filled = (work.padded.iter_mut().zip(taps))
+            .map(|(padded, tap)| *padded = tap)
+            .count();
+        work.padded[filled..].fill(0.0);
         self.forward
-            .process(&mut padded, &mut spectrum)
-            .expect("both buffers were made by the plan");
-        spectrum
+            .process_with_scratch(&mut work.padded, &mut work.spectrum, &mut work.scratch)
+            .expect("all buffers were made by the plan");
     }
+}
+
+/// What a [`Spectrometer`] works in.
+struct Work {
+    padded: Vec<f64>,
+    spectrum: Vec<Complex64>,
+    rough: Vec<Complex64>,
+    scratch: Vec<Complex64>,
 }
 
 /// Half the difference from tap to tap, taken [`DIFFERENCES`] times.

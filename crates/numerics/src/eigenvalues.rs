@@ -63,6 +63,11 @@ pub fn are_positive(hermitian: &Mat<Complex64>) -> bool {
     hermitian.llt(Side::Lower).is_ok()
 }
 
+/// The same of a symmetric matrix.
+pub fn are_positive_of_symmetric(symmetric: &Mat<f64>) -> bool {
+    symmetric.llt(Side::Lower).is_ok()
+}
+
 /// The λ of Ax = λBx, rising; A and B are symmetric, B is positive definite.
 ///
 /// # Errors

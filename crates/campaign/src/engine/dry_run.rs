@@ -63,7 +63,7 @@ pub(super) fn ask_for_responses(
         MarginPlan::in_torsion(1, responses.axial_taps()).ask(budget)?;
     }
     if plan.setting.lateral.is_some() {
-        MarginPlan::in_bending(sites, bending_taps).ask(budget)?;
+        MarginPlan::in_bending(plan.method, sites, bending_taps).ask(budget)?;
     }
     Ok(stepping)
 }

@@ -75,7 +75,7 @@ pub(super) fn ask(
     simulator.ask(budget)?;
     drop(passing);
     MarginPlan::in_torsion(loads, taps).ask(budget)?;
-    MarginPlan::in_bending(loads, taps).ask(budget)?;
+    MarginPlan::in_bending_by_steps(loads, taps).ask(budget)?;
     Ok(Stepping {
         simulator,
         recorded: sites,

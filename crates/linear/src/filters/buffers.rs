@@ -1,5 +1,6 @@
 //! The buffers between frequency responses and their taps.
 
+use super::GATHERED;
 use crate::budget::{COMPLEX, Need, REAL};
 use crate::parallel::threads;
 
@@ -26,11 +27,14 @@ impl Buffers {
     }
 
     /// All responses are sampled at all frequencies, with a number of bytes on each thread; then
-    /// each is transformed.
+    /// they are transformed, some on each thread.
     pub(crate) fn need(self, on_thread: f64) -> Need {
         let (channels, frequencies) = (self.channels as f64, self.frequencies() as f64);
         let sampled = COMPLEX * channels * frequencies;
-        let transformed = COMPLEX * frequencies + TRANSFORM * self.samples as f64;
+        let gathered = channels.min((GATHERED * threads()) as f64);
+        let at_once = channels.min(threads() as f64);
+        let transformed =
+            gathered * COMPLEX * frequencies + at_once * TRANSFORM * self.samples as f64;
         let kept = REAL * channels * self.taps as f64;
         let sampling = threads() as f64 * on_thread;
         Need {

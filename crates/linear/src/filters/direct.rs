@@ -22,7 +22,7 @@ pub(crate) fn taps(
 ) -> Vec<Vec<f64>> {
     let grid = frequency_grid(buffers.samples, sampling_frequency);
     let plan = fft::inverse(buffers.samples);
-    sample(buffers, &grid, velocity_response)
-        .map(|mut spectrum| inverse_transform(&*plan, &mut spectrum))
-        .collect()
+    sample(buffers, &grid, velocity_response, &|mut spectrum| {
+        inverse_transform(&*plan, &mut spectrum)
+    })
 }

@@ -11,7 +11,7 @@
 //! not.) Where g is a train of impulses, R is piecewise straight, and each impulse is
 //! shared between the two steps that it lies between.
 
-use super::quadrature::{self, Sampling, series};
+use super::quadrature::{self, Sampling, series_made};
 use super::{Buffers, ResponseAt, radau};
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
@@ -23,9 +23,12 @@ pub(crate) const SUBSTEPS: usize = 4;
 /// methods.
 pub(crate) const SAMPLING: Sampling = Sampling::Wide;
 
-/// Buffers for trains of impulses in the shorter steps of a number of taps.
+/// Buffers for a number of taps, each made of a train of impulses in shorter steps.
 pub(crate) fn smooth_buffers(count: usize, channels: usize) -> Buffers {
-    quadrature::buffers(fine(count), channels, SAMPLING)
+    Buffers {
+        taps: count,
+        ..quadrature::buffers(fine(count), channels, SAMPLING)
+    }
 }
 
 /// Shorter steps for a number of taps.
@@ -42,7 +45,8 @@ pub(crate) fn smooth_taps(
     response: &ResponseAt<'_>,
 ) -> Vec<Vec<f64>> {
     let rate = SUBSTEPS as f64 * sampling_frequency;
-    let trains = series(
+    let spacing = (SUBSTEPS as f64).recip();
+    series_made(
         fine(count),
         channels,
         SAMPLING,
@@ -55,11 +59,8 @@ pub(crate) fn smooth_taps(
                 *value = weight * *value + other_weight * other;
             }
         },
-    );
-    let spacing = (SUBSTEPS as f64).recip();
-    (trains.iter())
-        .map(|train| shared(train, spacing, count))
-        .collect()
+        &|train| shared(&train, spacing, count),
+    )
 }
 
 /// Taps that a train of impulses is shared out among, one every `spacing` steps.

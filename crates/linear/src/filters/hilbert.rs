@@ -26,13 +26,11 @@ pub(crate) fn taps(
     let half = buffers.samples / 2;
     let grid = frequency_grid(buffers.samples, sampling_frequency);
     let plan = fft::inverse(buffers.samples);
-    sample(buffers, &grid, velocity_response)
-        .map(|mut spectrum| {
-            spectrum.iter_mut().for_each(|value| value.im = 0.0);
-            let sequence = inverse_transform(&*plan, &mut spectrum);
-            let mut sequence = keep(sequence, buffers.taps);
-            sequence[1..half].iter_mut().for_each(|tap| *tap *= 2.0);
-            sequence
-        })
-        .collect()
+    sample(buffers, &grid, velocity_response, &|mut spectrum| {
+        spectrum.iter_mut().for_each(|value| value.im = 0.0);
+        let sequence = inverse_transform(&*plan, &mut spectrum);
+        let mut sequence = keep(sequence, buffers.taps);
+        sequence[1..half].iter_mut().for_each(|tap| *tap *= 2.0);
+        sequence
+    })
 }

@@ -23,13 +23,17 @@ pub(crate) use buffers::Buffers;
 /// Puts down what every channel answers at s, several of them at a time.
 pub(crate) type ResponseAt<'a> = dyn Fn(Lanes, &mut [Lanes]) + Sync + 'a;
 
+/// Channels whose spectra are gathered at once: side by side they are in the same lines of memory.
+pub(crate) const GATHERED: usize = 4;
+
 /// Evaluates every channel at `variable(0)`, …, one for each frequency of the buffers, several of
-/// them at a time; gives one spectrum a channel, each made when it is asked for.
-fn sample(
+/// them at a time; then makes of the spectrum of each channel what is wanted.
+fn sample<Made: Send>(
     buffers: Buffers,
     variable: &(dyn Fn(usize) -> Complex64 + Sync),
     response: &ResponseAt<'_>,
-) -> impl Iterator<Item = Vec<Complex64>> {
+    make: &(dyn Fn(Vec<Complex64>) -> Made + Sync),
+) -> Vec<Made> {
     let (channels, count) = (buffers.channels, buffers.frequencies());
     let mut rows = vec![Complex64::ZERO; count * channels];
     let no_values = || vec![Lanes::real(0.0); channels];
@@ -49,13 +53,18 @@ fn sample(
             }
         },
     );
-    (0..channels).map(move |channel| {
-        rows.iter()
-            .skip(channel)
-            .step_by(channels)
-            .copied()
-            .collect()
-    })
+    let made = parallel::map(channels.div_ceil(GATHERED), 1, |group| {
+        let first = GATHERED * group;
+        let some = GATHERED.min(channels - first);
+        let mut spectra: Vec<_> = (0..some).map(|_| Vec::with_capacity(count)).collect();
+        for row in rows.chunks_exact(channels) {
+            for (spectrum, value) in spectra.iter_mut().zip(&row[first..]) {
+                spectrum.push(*value);
+            }
+        }
+        spectra.into_iter().map(make).collect::<Vec<Made>>()
+    });
+    made.into_iter().flatten().collect()
 }
 
 /// The first `count` taps, without the memory of the others.

@@ -163,12 +163,23 @@ pub(crate) fn series(
     sampling: Sampling,
     generating: &ResponseAt<'_>,
 ) -> Vec<Vec<f64>> {
+    series_made(count, channels, sampling, generating, &|taps| taps)
+}
+
+/// The same, each made into something else before the next ones are there.
+pub(crate) fn series_made(
+    count: usize,
+    channels: usize,
+    sampling: Sampling,
+    generating: &ResponseAt<'_>,
+    make: &(dyn Fn(Vec<f64>) -> Vec<f64> + Sync),
+) -> Vec<Vec<f64>> {
     let buffers = buffers(count, channels, sampling);
     let circle = circle(buffers.samples, sampling);
     let on_circle = |index: usize| circle.point(index);
-    sample(buffers, &on_circle, generating)
-        .map(|spectrum| circle.coefficients(spectrum, count))
-        .collect()
+    sample(buffers, &on_circle, generating, &|spectrum| {
+        make(circle.coefficients(spectrum, count))
+    })
 }
 
 #[cfg(test)]

@@ -55,8 +55,10 @@ pub fn taps(
         let p = k_one - q * one;
         channels.copy_from_slice(&[p + q * a, q * b, q * c, p + q * d]);
     };
-    let spectra = sample(buffers, &on_circle, &between_stages);
-    let mut channels = spectra.map(|spectrum| circle.coefficients(spectrum, count));
+    let channels = sample(buffers, &on_circle, &between_stages, &|spectrum| {
+        circle.coefficients(spectrum, count)
+    });
+    let mut channels = channels.into_iter();
     std::array::from_fn(|_| channels.next().unwrap_or_default())
 }
 

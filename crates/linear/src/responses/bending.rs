@@ -7,6 +7,7 @@ use super::channels::ChannelResponses;
 use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, transform_length};
 use super::request::Request;
 use crate::assembly::lanes::Lanes;
+use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::number::Number;
 use crate::assembly::working_bytes;
 use crate::bending::{Bending, SurfaceSupport};
@@ -19,7 +20,7 @@ use crate::error::BuildError;
 use crate::filters::quadrature::{Formula, Sampling};
 use crate::filters::{Buffers, direct, held, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
-use crate::passivity::Ending;
+use crate::passivity::{Ending, Reciprocity};
 use crate::waves::lateral::BendingNetwork;
 
 /// Lateral responses before they are built.
@@ -30,6 +31,7 @@ pub(super) struct BendingPlan<'a> {
     request: &'a Request,
     bending: &'a Bending,
     support: SurfaceSupport,
+    pairs: Vec<Pair>,
     /// Taps of each response.
     taps: usize,
     /// Of what they are made of.
@@ -53,7 +55,8 @@ impl<'a> BendingPlan<'a> {
         if needed > MOST_TAPS as f64 {
             return Err(too_many(needed));
         }
-        let (taps, channels) = (needed as usize, request.sites.len().pow(2));
+        let pairs = pairs(method, request.sites.len());
+        let (taps, channels) = (needed as usize, pairs.len());
         let buffers = match method {
             Method::Held => held::smooth_buffers(taps, channels),
             Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
@@ -77,6 +80,7 @@ impl<'a> BendingPlan<'a> {
             request,
             bending,
             support,
+            pairs,
             taps,
             buffers,
         })
@@ -92,11 +96,16 @@ impl<'a> BendingPlan<'a> {
         let made = self
             .buffers
             .need(working_bytes(self.request.sites.len(), 4));
-        let kept = REAL * (self.buffers.channels * self.taps) as f64;
+        let kept = REAL * (self.request.sites.len().pow(2) * self.taps) as f64;
         match self.method {
-            Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => made,
-            // Taps are made of impulses in shorter steps, or of velocities, which then go.
-            Method::Held | Method::Hilbert(_) | Method::DirectIdft(_) => Need {
+            Method::Held | Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
+                Need {
+                    peak: made.peak.max(kept),
+                    kept,
+                }
+            }
+            // Taps are made of velocities, of more of them, which then go.
+            Method::Hilbert(_) | Method::DirectIdft(_) => Need {
                 kept,
                 ..made.then(Need::lasting(kept))
             },
@@ -112,37 +121,55 @@ impl<'a> BendingPlan<'a> {
         let taps = self.taps_of_pairs()?;
         all_finite(&taps, self.method)?;
         working.done();
-        let (sites, mut taps) = (self.request.sites.len(), taps.into_iter());
+        let sites = self.request.sites.len();
         Ok(ChannelResponses {
             channel: Channel::Bending,
             loads: (0..sites).collect(),
             from_surface: Vec::new(),
-            from_loads: (0..sites)
-                .map(|_| taps.by_ref().take(sites).collect())
-                .collect(),
+            from_loads: self.in_both_directions(taps),
             ending: Ending::Cut,
         })
     }
 
-    /// Responses of each site from each force.
+    /// Responses of all sites from all, `[output][input]`, from those of the pairs.
+    fn in_both_directions(&self, of_pairs: Vec<Vec<f64>>) -> Vec<Vec<Vec<f64>>> {
+        let sites = self.request.sites.len();
+        let mut all = vec![vec![Vec::new(); sites]; sites];
+        for (&(output, input), taps) in self.pairs.iter().zip(of_pairs) {
+            if all[input][output].is_empty() {
+                all[input][output] = taps.clone();
+            }
+            all[output][input] = taps;
+        }
+        all
+    }
+
+    /// Puts down the receptances of the pairs.
+    fn write_pairs(&self, receptance: &ResponseMatrix<Lanes>, responses: &mut [Lanes]) {
+        for (response, pair) in responses.iter_mut().zip(&self.pairs) {
+            *response = receptance[*pair];
+        }
+    }
+
+    /// Responses by pair of sites.
     fn taps_of_pairs(&self) -> Result<Vec<Vec<f64>>, BuildError> {
         let (bending, support, request) = (self.bending, self.support, self.request);
         let network = BendingNetwork::new(self.string, *bending, support, &request.sites)?;
         let (frequency, needed, count) =
             (request.sampling_frequency, self.taps, self.buffers.channels);
         let displacement = |s: Lanes, responses: &mut [Lanes]| {
-            responses.copy_from_slice(network.receptance(s).entries());
+            self.write_pairs(&network.receptance(s), responses);
         };
         let by_formula = |formula: Formula| {
             let sampling = Sampling::Close;
             quadrature::taps(formula, frequency, needed, count, sampling, &displacement)
         };
         let velocity = |s: Lanes, responses: &mut [Lanes]| {
-            let receptance = network.receptance(s);
-            for (pair, response) in responses.iter_mut().enumerate() {
-                let receptance = receptance.entries()[pair];
+            self.write_pairs(&network.receptance(s), responses);
+            for (response, pair) in responses.iter_mut().zip(&self.pairs) {
+                let receptance = *response;
                 *response = Lanes::of_lanes(|lane| match s.lane(lane) {
-                    Complex64::ZERO => self.rigid(pair).into(),
+                    Complex64::ZERO => self.rigid(*pair).into(),
                     s => s * receptance.lane(lane),
                 });
             }
@@ -166,17 +193,16 @@ impl<'a> BendingPlan<'a> {
         })
     }
 
-    /// The velocity response at zero frequency of a pair of sites, row by row, where the
-    /// string moves as a rigid rod against its dashpots: translation and rotation where the
+    /// The velocity response at zero frequency of a pair of sites, where the string moves as a rigid rod against its dashpots: translation and rotation where the
     /// surface is free, rotation alone where it is pinned, nothing where it is clamped. An
     /// axial force does not let it turn for ever.
-    fn rigid(&self, pair: usize) -> f64 {
+    fn rigid(&self, (output, input): Pair) -> f64 {
         let (length, distances) = (
             self.string.length(),
             self.request.sites.distances_from_bit(),
         );
         let depth = |site: usize| (length - distances[site]) / length;
-        let (a, b) = (depth(pair / distances.len()), depth(pair % distances.len()));
+        let (a, b) = (depth(output), depth(input));
         let turns = self.bending.compression == 0.0 && self.string.axial_force().is_empty();
         let springs = self.request.sites.springs().iter();
         let held: Vec<usize> = springs
@@ -205,7 +231,7 @@ impl<'a> BendingPlan<'a> {
         )?;
         let receptance = |zeta: Lanes, responses: &mut [Lanes]| {
             let receptance = chain.receptance(self.bending, self.support, zeta);
-            responses.copy_from_slice(receptance.entries());
+            self.write_pairs(&receptance, responses);
         };
         let (taps, count) = (self.taps, self.buffers.channels);
         Ok(quadrature::series(
@@ -215,6 +241,30 @@ impl<'a> BendingPlan<'a> {
             &receptance,
         ))
     }
+}
+
+/// Two sites: output and input.
+type Pair = (usize, usize);
+
+/// Whether the responses of a method are the same in both directions to the last digit. Those that
+/// are sampled at zero frequency are so but for the rounding of what they are there.
+pub(super) fn reciprocity(method: &Method) -> Reciprocity {
+    match method {
+        Method::Hilbert(_) | Method::DirectIdft(_) => Reciprocity::None,
+        Method::Held | Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
+            Reciprocity::Exact
+        }
+    }
+}
+
+/// The pairs of sites whose responses differ, row by row.
+fn pairs(method: &Method, sites: usize) -> Vec<Pair> {
+    let inputs = |output: usize| match reciprocity(method) {
+        Reciprocity::Exact => output + 1,
+        Reciprocity::None => sites,
+    };
+    let row = |output: usize| (0..inputs(output)).map(move |input| (output, input));
+    (0..sites).flat_map(row).collect()
 }
 
 /// What a rod that turns about one place makes of a force, as against one that is pushed aside:

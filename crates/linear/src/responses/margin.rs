@@ -1,12 +1,13 @@
 //! The positive-real margins of responses (see [`crate::passivity`]): whether a site
 //! that sticks, or leans on a wall, stays stable.
 
+use super::bending::reciprocity;
 use super::channels::{ChannelResponses, Responses};
 use crate::budget::{Budget, Need, OutOfBudget, REAL, What};
 use crate::channel::Channel;
 use crate::error::BuildError;
 use crate::method::Method;
-use crate::passivity::{Ending, bytes, positive_real_margin};
+use crate::passivity::{Ending, Reciprocity, bytes, positive_real_margin};
 
 /// The margin of a channel before it is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,15 +20,25 @@ impl MarginPlan {
     /// Of responses in torsion of a number of taps, between a number of sites that torques act on.
     pub fn in_torsion(sites: usize, taps: usize) -> Self {
         Self {
-            scratch: bytes(sites, taps),
+            scratch: bytes(sites, taps, Reciprocity::None),
         }
     }
 
-    /// The same in bending, where it is that of velocities.
-    pub fn in_bending(sites: usize, taps: usize) -> Self {
+    /// The same in bending by a method, where it is that of velocities.
+    pub fn in_bending(method: &Method, sites: usize, taps: usize) -> Self {
+        Self::of_velocities(sites, taps, reciprocity(method))
+    }
+
+    /// The same of elements that are stepped, whose responses are the same in both directions but
+    /// for rounding.
+    pub fn in_bending_by_steps(sites: usize, taps: usize) -> Self {
+        Self::of_velocities(sites, taps, Reciprocity::None)
+    }
+
+    fn of_velocities(sites: usize, taps: usize, reciprocity: Reciprocity) -> Self {
         let velocities = REAL * (sites * sites * taps) as f64;
         Self {
-            scratch: velocities + bytes(sites, taps),
+            scratch: velocities + bytes(sites, taps, reciprocity),
         }
     }
 
@@ -35,7 +46,10 @@ impl MarginPlan {
         let (sites, taps) = (channel.loads.len(), channel.taps());
         match channel.channel {
             Channel::Torsion | Channel::Axial => Self::in_torsion(sites, taps),
-            Channel::Bending => Self::in_bending(sites, taps),
+            Channel::Bending => {
+                let points = channel.driving_points();
+                Self::of_velocities(sites, taps, Reciprocity::of(sites, |i, j| points[i][j]))
+            }
         }
     }
 

@@ -7,7 +7,7 @@ use linear::fft::{self, ComplexToReal, RealToComplex};
 use linear::{Complex64, ResponseError};
 use pulp::Arch;
 
-use super::partition::{FIRST_BLOCK, LANES, partitions};
+use super::partition::{FIRST_BLOCK, LANES, Partition};
 
 /// Numbers that the plans of a level's transforms hold for each step of a block.
 const PLANS: f64 = 16.0;
@@ -121,7 +121,7 @@ impl Kernels {
             let spectra = pairs * (partitions * 2 * block) as f64;
             spectra + PLANS * block as f64
         };
-        let levels: f64 = partitions(taps).map(of_level).sum();
+        let levels: f64 = Partition::of(sites).levels(taps).map(of_level).sum();
         let instant_and_recent = (1 + LANES + FIRST_BLOCK - 1) as f64;
         REAL * (levels + pairs * instant_and_recent)
     }
@@ -141,7 +141,8 @@ impl Kernels {
     pub(crate) fn of(taps: &[Vec<impl AsRef<[f64]>>]) -> Self {
         let pairs: Vec<&[f64]> = taps.iter().flatten().map(AsRef::as_ref).collect();
         let longest = pairs.iter().map(|taps| taps.len()).max().unwrap_or(0);
-        let levels = partitions(longest)
+        let levels = Partition::of(taps.len())
+            .levels(longest)
             .map(|(block, partitions)| Level::new(&pairs, block, partitions))
             .collect();
         let recent = |taps: &&[f64]| -> Vec<f64> {

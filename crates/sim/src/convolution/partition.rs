@@ -7,25 +7,47 @@ pub const FIRST_BLOCK: usize = 64;
 /// has a multiple of them.
 pub(super) const LANES: usize = 8;
 
-/// Blocks of a level in one of the next.
-pub(super) const RATIO: usize = 8;
+/// From this many sites on, products of spectra, whose number grows as the square of that of the
+/// sites, take longer than transforms: more levels, which save products, are worth theirs.
+const MANY_SITES: usize = 8;
 
-/// A level is worth its transforms if the kernel has this many of its blocks.
-const LEAST_BLOCKS: usize = 4;
+/// How the kernels of all pairs of sites are cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Partition {
+    /// Blocks of a level in one of the next.
+    pub ratio: usize,
+    /// A level is worth its transforms if the kernel has this many of its blocks.
+    least_blocks: usize,
+}
 
-/// Length of a block, and how many of them of the kernel are kept, of each level for responses of a
-/// number of taps.
-pub(super) fn partitions(longest: usize) -> impl Iterator<Item = (usize, usize)> {
-    let is_last = move |block: usize| RATIO * LEAST_BLOCKS * block > longest;
-    let blocks = std::iter::successors(Some(FIRST_BLOCK), move |&block| {
-        (!is_last(block)).then_some(RATIO * block)
-    });
-    blocks.map(move |block| {
-        let partitions = if is_last(block) {
-            longest.div_ceil(block).max(1)
-        } else {
-            RATIO - 1
-        };
-        (block, partitions)
-    })
+impl Partition {
+    /// That of a number of sites.
+    pub fn of(sites: usize) -> Self {
+        let [ratio, least_blocks] = if sites < MANY_SITES { [8, 4] } else { [4, 2] };
+        Self {
+            ratio,
+            least_blocks,
+        }
+    }
+
+    /// Length of a block, and how many of them of the kernel are kept, of each level for responses
+    /// of a number of taps.
+    pub fn levels(self, longest: usize) -> impl Iterator<Item = (usize, usize)> {
+        let Self {
+            ratio,
+            least_blocks,
+        } = self;
+        let is_last = move |block: usize| ratio * least_blocks * block > longest;
+        let blocks = std::iter::successors(Some(FIRST_BLOCK), move |&block| {
+            (!is_last(block)).then_some(ratio * block)
+        });
+        blocks.map(move |block| {
+            let partitions = if is_last(block) {
+                longest.div_ceil(block).max(1)
+            } else {
+                ratio - 1
+            };
+            (block, partitions)
+        })
+    }
 }

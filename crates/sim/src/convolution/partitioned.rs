@@ -1,8 +1,8 @@
 //! The sum over the past by blocks, each as a product of spectra, without
 //! delay: convolution in nested partitions.
 //!
-//! Time is cut into blocks of B₀ steps, eight of which make a block of the next
-//! level, and so on. Where a block of some level ends (of the highest, where
+//! Time is cut into blocks of B₀ steps, eight of which (four for many sites) make a block of the
+//! next level, and so on. Where a block of some level ends (of the highest, where
 //! several do), its inputs are transformed once, and what they and the earlier
 //! ones of the same larger block add to the *next* block of that level is
 //! computed at once. What is left at each step is the sum over the inputs of the
@@ -354,6 +354,7 @@ mod tests {
             (1, 2, 3000, 3000),
             (3, 2, 5000, 2500),
             (2, 1, 700, 9000),
+            (9, 2, 1300, 1500),
             (1, 1, 20_000, 20_000),
         ] {
             let responses: Vec<Vec<Vec<f64>>> = (0..sites)

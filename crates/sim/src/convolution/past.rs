@@ -6,7 +6,7 @@ use linear::Complex64;
 use linear::budget::REAL;
 
 use super::kernels::{Kernels, Level};
-use super::partition::{FIRST_BLOCK, RATIO, partitions};
+use super::partition::{FIRST_BLOCK, Partition};
 
 /// Numbers of the buffers for transforms and sums, for each step of a block of the highest level.
 const BUFFERS: f64 = 16.0;
@@ -56,9 +56,10 @@ impl Past {
     pub(super) fn bytes(sites: usize, planes: usize, taps: usize, steps: f64) -> f64 {
         let mut of_channel = steps + FIRST_BLOCK as f64;
         let mut largest = 0.0;
-        for (block, _) in partitions(taps) {
+        let partition = Partition::of(sites);
+        for (block, _) in partition.levels(taps) {
             largest = block as f64;
-            of_channel += largest + RATIO as f64 * 2.0 * largest;
+            of_channel += largest + partition.ratio as f64 * 2.0 * largest;
         }
         // The blocks of the highest level are all kept.
         of_channel += (steps / largest).ceil() * 2.0 * largest;
@@ -97,11 +98,12 @@ impl Past {
         self.levels
             .resize_with(kernels.levels.len(), PastLevel::default);
         let last = kernels.levels.len() - 1;
+        let ratio = Partition::of(kernels.sites).ratio;
         for (index, (past, level)) in self.levels.iter_mut().zip(&kernels.levels).enumerate() {
             let blocks = if index == last {
                 steps.div_ceil(level.block)
             } else {
-                RATIO
+                ratio
             };
             past.begin(level, channels, blocks);
         }

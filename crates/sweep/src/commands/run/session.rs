@@ -202,7 +202,7 @@ impl<'a> Session<'a> {
         let mut manifest = Manifest::new(sweep, &self.task.header, arguments.options(), systems)?;
         (manifest.tally, manifest.files) = (tally, files);
         if self.systems.built.memory.sees_dependences {
-            manifest.depends_on = dependences(sweep, shard, arguments.options());
+            manifest.depends_on = dependences(sweep, shard, arguments.options(), &systems[0]);
         }
         manifest.wall_seconds = self.start.elapsed().as_secs_f64();
         manifest.files.insert("boundary.csv".to_owned(), limit);
