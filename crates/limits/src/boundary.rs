@@ -11,6 +11,7 @@ use linear::estimates::largest_undershoot;
 use linear::falling_torque::{highest_frequency, steepest_fall};
 
 use crate::axes::{position, range_of_axis};
+use crate::lying_limit::{LyingPoint, lying_points};
 use crate::many_sites_limit::many_sites_limit;
 use crate::sliding_together::sliding_together;
 use crate::steady_drilling::steady_drilling_points;
@@ -32,6 +33,8 @@ pub enum Boundary {
     StickSlip(Vec<StickSlipPoint>),
     /// Of backward whirl.
     Whirl(Vec<WhirlPoint>),
+    /// Of a string that lies in its hole, or buckles under the weight on bit.
+    Lying(Vec<LyingPoint>),
 }
 
 /// Why the limit of a map is not known.
@@ -47,20 +50,25 @@ pub enum BoundaryError {
 }
 
 /// The limit over the range of the design's axes: of whirl where friction at every site is
-/// one of them, else of stick-slip; without points where neither applies, below a motor, which has
+/// one of them, or of a string that lies in its hole; else of stick-slip; without points where neither applies, below a motor, which has
 /// no such limit in closed form, or where other axes give each case its own.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, BoundaryError> {
     let axes = sweep.design.axes();
+    let has_friction = position(sweep, |axis| axis == Axis::FRICTION).is_some();
+    // Its weight on bit changes the string.
+    let is_of_wall = has_friction || sweep.bit.is_none() || !is_one_limit(sweep);
+    let lies = sweep.setting.lying.is_some() && is_of_wall;
+    let is_pushed = position(sweep, |axis| axis == Axis::WeightOnBitKn).is_some();
+    if lies || (is_pushed && sweep.setting.hanging.is_some() && !has_friction) {
+        return Ok(Boundary::Lying(lying_points(sweep)));
+    }
     if sweep.setting.motor.is_some() || !is_one_limit(sweep) {
         return Ok(Boundary::StickSlip(Vec::new()));
     }
-    if let (Some(lateral), Some(_)) = (
-        sweep.setting.hanging_sideways(),
-        position(sweep, |axis| axis == Axis::FRICTION),
-    ) {
+    if let (Some(lateral), true) = (sweep.setting.hanging_sideways(), has_friction) {
         // So has every wall.
         let is_one = !axes.iter().any(|axis| axis.changes_whirl_limit());
         let points = match speeds_of(sweep).filter(|_| is_one) {
@@ -285,19 +293,42 @@ pub fn boundary_csv(boundary: &Boundary) -> String {
             };
             header + &points.iter().map(row).collect::<String>()
         }
+        Boundary::Lying(points) => {
+            let header =
+                format!("limit,{ONLY_OF_LYING},friction,weight_on_bit_kn,surface_speed_rpm\n");
+            let known = |number: Option<f64>| number.map_or(String::new(), |it| it.to_string());
+            let row = |point: &LyingPoint| {
+                let swing = point.swing.map(|swing| swing.to_string());
+                format!(
+                    "{},{},{},{},{}\n",
+                    point.limit.name(),
+                    swing.unwrap_or_default(),
+                    known(point.friction),
+                    known(point.weight_on_bit_kn),
+                    known(point.surface_speed_rpm)
+                )
+            };
+            header + &points.iter().map(row).collect::<String>()
+        }
     }
 }
 
-/// A column that only the limit of whirl has.
+/// A column that only the limit of whirl has,
 const ONLY_OF_WHIRL: &str = "site_from_bit_m";
+
+/// and one that only limits of a string that lies have.
+const ONLY_OF_LYING: &str = "swing";
 
 /// Reads `boundary.csv` back.
 pub fn read_boundary(path: &Path) -> Result<Boundary> {
     let read = || -> csv::Result<Boundary> {
         let mut reader = csv::Reader::from_path(path)?;
-        let is_whirl = reader.headers()?.iter().any(|name| name == ONLY_OF_WHIRL);
-        Ok(if is_whirl {
+        let headers = reader.headers()?.clone();
+        let has = |column: &str| headers.iter().any(|name| name == column);
+        Ok(if has(ONLY_OF_WHIRL) {
             Boundary::Whirl(reader.deserialize().collect::<Result<_, _>>()?)
+        } else if has(ONLY_OF_LYING) {
+            Boundary::Lying(reader.deserialize().collect::<Result<_, _>>()?)
         } else {
             Boundary::StickSlip(reader.deserialize().collect::<Result<_, _>>()?)
         })
@@ -333,6 +364,17 @@ mod tests {
             panic!("{boundary:?}");
         };
         assert_eq!(points[2].sites_from_bit_m, [0.0, 50.0]);
+        assert_eq!(read(&boundary_csv(&boundary)), boundary);
+        let boundary = read(
+            "limit,swing,friction,weight_on_bit_kn,surface_speed_rpm\n\
+             buckling,,,302.5,\n\
+             swing,0,0.3,,93.4\n\
+             rolls_all_round,,0.3,,90.5\n",
+        );
+        let Boundary::Lying(points) = &boundary else {
+            panic!("{boundary:?}");
+        };
+        assert_eq!((points[1].swing, points[2].swing), (Some(0), None));
         assert_eq!(read(&boundary_csv(&boundary)), boundary);
     }
 

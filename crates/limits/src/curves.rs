@@ -2,6 +2,7 @@
 //! map shows of them.
 
 use crate::boundary::Boundary;
+use crate::lying_limit::{LyingLimit, LyingPoint};
 use crate::torsion_limit::{StickSlipPoint, TorsionLimit};
 use crate::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
 use campaign::quantities::{Axis, LENGTH, Units};
@@ -72,8 +73,42 @@ impl Boundary {
         match self {
             Boundary::StickSlip(points) => stick_slip_curves(points, axes),
             Boundary::Whirl(points) => whirl_curves(points, units),
+            Boundary::Lying(points) => lying_curves(points, axes),
         }
     }
+}
+
+/// Limits of a string that lies: of speeds over friction where the cases differ in it, else over
+/// the weight on bit; of the weight over the other axis.
+fn lying_curves(points: &[LyingPoint], axes: &[Axis]) -> Vec<Curve> {
+    let on_weight = axes.contains(&Axis::WeightOnBitKn) && !axes.contains(&Axis::FRICTION);
+    let curve = |points: &[LyingPoint]| {
+        let limit = points[0].limit;
+        let [along, limited] = match limit {
+            LyingLimit::Buckling => {
+                let is_other = |axis: &&Axis| **axis != Axis::WeightOnBitKn;
+                let other = axes.iter().find(is_other).copied();
+                [other.unwrap_or(Axis::FRICTION), Axis::WeightOnBitKn]
+            }
+            _ if on_weight => [Axis::WeightOnBitKn, Axis::SurfaceSpeedRpm],
+            _ => [Axis::FRICTION, Axis::SurfaceSpeedRpm],
+        };
+        let place = |point: &LyingPoint| Some([point.of(along)?, point.of(limited)?]);
+        // Of each swing one.
+        let pieces = points.chunk_by(|one, next| one.swing == next.swing);
+        let pieces = pieces.map(|piece| piece.iter().filter_map(place).collect());
+        Curve {
+            name: limit.words().to_owned(),
+            method: None,
+            motion: Motion::Lateral,
+            along,
+            limited,
+            pieces: pieces.collect(),
+            is_least: true,
+        }
+    };
+    let curves = points.chunk_by(|one, next| one.limit == next.limit);
+    curves.map(curve).collect()
 }
 
 /// Eq. 74 for each method, over the weight on bit where the cases differ in it, else

@@ -1,6 +1,6 @@
 //! Limits that are known without a simulation: of stick-slip by Eq. 74, of smooth rotation where the
 //! torque falls with the bit's speed, and of whirl by steady motions, each from the exact waves of
-//! the string.
+//! the string; and of a string that lies in its hole, from its static states.
 //!
 //! [`boundary`] gives the limit of a sweep, and `boundary.csv`; [`Curve`]s are what a map shows of
 //! it. What is solved of the waves is the business of `linear` and `sim`.
@@ -49,6 +49,7 @@ mod curves;
 mod envelope;
 mod forward_contact;
 mod growing_roots;
+mod lying_limit;
 mod many_sites_limit;
 mod sliding_together;
 mod steady_drilling;
@@ -64,6 +65,7 @@ pub use curves::Curve;
 pub use envelope::Envelope;
 pub use forward_contact::ForwardContact;
 pub use growing_roots::{DrillingPoint, drilling_points};
+pub use lying_limit::{LyingLimit, LyingPoint};
 pub use many_sites_limit::{MOST_SITES, many_sites_limit};
 pub use torsion_limit::{StickSlipPoint, TorsionLimit};
 pub use whirl_limit::{

@@ -104,20 +104,52 @@ impl BendingModes {
         support: SurfaceSupport,
         sites: &Sites,
     ) -> Result<Self, BuildError> {
+        Self::down_from(0.0, string, bending, support, sites)
+    }
+
+    /// The same of what is below a distance from the bit (m), where it is held in place without a
+    /// moment.
+    ///
+    /// # Errors
+    /// As [`BendingModes::held`].
+    pub fn of_lower_part(
+        string: &Drillstring,
+        bending: &Bending,
+        distance_from_bit: f64,
+        sites: &Sites,
+    ) -> Result<Self, BuildError> {
+        let depth = string.length() - distance_from_bit;
+        Self::down_from(depth, string, bending, SurfaceSupport::Pinned, sites)
+    }
+
+    /// Of what is below a depth (m), to the nearest element.
+    fn down_from(
+        depth: f64,
+        string: &Drillstring,
+        bending: &Bending,
+        support: SurfaceSupport,
+        sites: &Sites,
+    ) -> Result<Self, BuildError> {
         bending.check()?;
         let mesh = Mesh::new(string, Channel::Bending, sites, ELEMENTS_PER_CELL)?;
         let longest = mesh.elements.iter().map(|tube| tube.length);
         let shortest = SHORTEST * longest.fold(0.0, f64::max);
+        let depths = mesh.depths();
         let pieces = mesh.elements.iter().zip(&mesh.around).enumerate();
         let kept: Vec<_> = pieces
-            .filter(|(_, (tube, _))| tube.length >= shortest)
+            .filter(|(element, (tube, _))| {
+                let middle = 0.5 * (depths[*element] + depths[element + 1]);
+                tube.length >= shortest && middle >= depth
+            })
             .collect();
         let held = mesh.site_nodes.iter().zip(sites.springs());
         // The bottom of the last element that is kept down to a site.
-        let springs = held.map(|(&node, &spring)| {
-            let above = kept.partition_point(|(element, _)| *element < node);
-            (above.saturating_sub(1), spring)
-        });
+        let springs = held
+            .filter(|(_, spring)| **spring > 0.0)
+            .map(|(&node, &spring)| {
+                let above = kept.partition_point(|(element, _)| *element < node);
+                (above.saturating_sub(1), spring)
+            });
         let springs = springs.collect();
         let elements: Vec<Element> = (kept.into_iter())
             .map(|(_, (tube, around))| Element {
@@ -136,6 +168,18 @@ impl BendingModes {
             support,
             springs,
         })
+    }
+
+    /// What moves sideways, with the mud's share, kg.
+    pub fn mass(&self) -> f64 {
+        let moved = |element: &Element| -> f64 {
+            let between = [(0, 0), (0, 2), (2, 0), (2, 2)];
+            between
+                .map(|(row, column)| element.mass[row][column])
+                .iter()
+                .sum()
+        };
+        self.elements.iter().map(moved).sum()
     }
 
     /// Natural frequencies whose square is below this, 1/s²; a square below zero is that of the
