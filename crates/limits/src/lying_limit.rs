@@ -5,8 +5,8 @@
 use linear::BuildError;
 use linear::bending_modes::BendingModes;
 use serde::{Deserialize, Serialize};
-use statics::StaticState;
 use statics::closed_forms::climb;
+use statics::{ContactState, StaticState};
 
 use crate::axes::{position, range_of_axis};
 use campaign::plan::{Conditions, LateralSettings, Setting, Sweep};
@@ -196,7 +196,11 @@ fn speeds(setting: &Setting, conditions: &Conditions) -> Option<Vec<Speed>> {
     };
     let at_rest = lying.at_rest().ok()?;
     // What presses the string as a whole to its wall, by its mass.
-    let pressed: f64 = at_rest.contacts().iter().map(|it| it.normal()).sum();
+    let up = |it: &ContactState| {
+        let ([x, y], (sin, cos)) = (it.force, it.high_side.sin_cos());
+        x * cos + y * sin
+    };
+    let pressed: f64 = at_rest.contacts().iter().map(up).sum();
     let acceleration = pressed / modes.mass();
     let rounds = [
         (

@@ -59,8 +59,10 @@ pub struct MapPanel {
     pub cells: Vec<MapCell>,
     /// Symbols; those that are not finite are skipped.
     pub points: Vec<MapPoint>,
+    /// Places that the map reaches, though there is nothing at them.
+    pub reached: Vec<(f64, f64)>,
     /// Lines such as the boundary of a region, cut off where they leave the range of points,
-    /// cells and marks.
+    /// cells, marks and places that are reached.
     pub lines: Vec<Series>,
     /// Hatched ranges, cut off there too.
     pub bands: Vec<Band>,

@@ -27,8 +27,8 @@ pub(super) fn line_stroke(index: usize, style: LineStyle) -> Stroke {
     }
 }
 
-/// The scales that show all points, cells and marks of a chart, or its lines where
-/// there are no points, unless their ranges are given; the same for all maps, which are there to
+/// The scales that show all points, cells, marks and places reached of a chart, or its lines where
+/// there are none of these, unless their ranges are given; the same for all maps, which are there to
 /// be compared.
 pub(super) fn scales(chart: &MapChart, ranges: [Option<[f64; 2]>; 2]) -> [Scale; 2] {
     let panels = || chart.groups.iter().flat_map(|group| &group.panels);
@@ -36,6 +36,7 @@ pub(super) fn scales(chart: &MapChart, ranges: [Option<[f64; 2]>; 2]) -> [Scale;
     let mut places: Vec<_> = points.map(|point| point.at).collect();
     let corners = |cell: &MapCell| [0, 1].map(|end| (cell.ends[0][end], cell.ends[1][end]));
     places.extend(panels().flat_map(|panel| panel.cells.iter().flat_map(corners)));
+    places.extend(panels().flat_map(|panel| &panel.reached));
     if places.is_empty() {
         let lines = panels().flat_map(|panel| &panel.lines);
         places.extend(lines.flat_map(|line| &line.points));

@@ -55,6 +55,12 @@ impl Extent {
         x.max(y) < MOST_DISTINCT && x * y <= self.cases
     }
 
+    /// Where both ranges begin, and where they end.
+    pub fn corners(&self) -> Vec<(f64, f64)> {
+        let [x, y] = self.ranges;
+        vec![(x[0], y[0]), (x[1], y[1])]
+    }
+
     /// The same whose cases differ in starts by chance, if so.
     pub fn with_starts(mut self, has_starts: bool) -> Self {
         self.has_starts = has_starts;

@@ -134,6 +134,7 @@ impl Map<'_> {
                 title,
                 cells: content.cells,
                 points: content.points,
+                reached: self.extent.corners(),
                 lines: limits.lines,
                 bands: limits.bands,
                 ..MapPanel::default()

@@ -28,6 +28,7 @@ pub fn show_in(chart: &mut MapChart, [x, y]: [Unit; 2]) {
         (panel.bands.iter_mut()).for_each(|band| range(&mut band.ends));
         (panel.names.iter_mut()).for_each(|name| place(&mut name.at));
         (panel.points.iter_mut()).for_each(|point| place(&mut point.at));
+        panel.reached.iter_mut().for_each(place);
         let lines = panel.lines.iter_mut();
         (lines.flat_map(|line| &mut line.points)).for_each(place);
     }
@@ -53,6 +54,7 @@ mod tests {
                 at,
                 symbol: Symbol::Cross,
             }],
+            reached: vec![at],
             lines: vec![Series {
                 name: name(),
                 style: LineStyle::default(),
@@ -84,8 +86,9 @@ mod tests {
             panel.points[0].at,
             panel.lines[0].points[0],
             panel.names[0].at,
+            panel.reached[0],
         ];
-        assert_eq!(places, [(1.0, 60.0); 4]);
+        assert_eq!(places, [(1.0, 60.0); 5]);
         let ranges = [panel.cells[0].ends, panel.bands[0].ends];
         assert_eq!(ranges, [[[1.0; 2], [60.0; 2]]; 2]);
     }
