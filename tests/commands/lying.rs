@@ -94,6 +94,33 @@ fn an_inspection_says_how_a_string_lies_in_its_hole() {
     let along = std::fs::read_to_string(place.path("out/static_string.csv")).unwrap();
     assert!(along.starts_with("distance_from_bit_m,high_side_mm,right_mm,tension_kn,"));
     assert!(place.path("out/static_string.png").exists());
+    // Its bit held otherwise: in the middle of the hole, or by nothing.
+    let lowest = |bit: &str| {
+        let text = place.answer(&[&arguments[..], &["--bit", bit]].concat());
+        let lines = text.output.lines();
+        let line = lines.filter(|line| line.contains("side force of the bit"));
+        let sites = std::fs::read_to_string(place.path("out/static_contacts.csv")).unwrap();
+        let fields: Vec<f64> = (sites.lines().nth(1).unwrap().split(',').take(5))
+            .map(|field| field.parse().unwrap())
+            .collect();
+        (line.collect::<String>(), fields)
+    };
+    let (_, pinned) = lowest("pinned");
+    assert!(
+        pinned[0] == 0.0 && pinned[2].abs() < 1e-9 && pinned[4] > 0.0,
+        "{pinned:?}"
+    );
+    let (force, free) = lowest("free");
+    assert!(free[0] > 0.0 && force.contains("none"), "{free:?} {force}");
+    // A case has them as well.
+    let text = place.answer(&["simulate", "small.toml", "--out", "case"]);
+    assert!(
+        text.output.contains("static_string"),
+        "{}{}",
+        text.output,
+        text.errors
+    );
+    assert!(place.path("case/static_string.png").exists());
     // One that hangs straight lies on nothing.
     let hanging = Workplace::with_small(&LYING.replace("inclination_deg = 30\n", ""));
     let text = hanging.answer(&arguments);
@@ -103,6 +130,12 @@ fn an_inspection_says_how_a_string_lies_in_its_hole() {
         text.output
     );
     assert!(!hanging.path("out/static_string.csv").exists());
+    let text = hanging.answer(&[&arguments[..], &["--bit", "free"]].concat());
+    assert!(
+        text.errors.contains("--bit: the string does not lie"),
+        "{}",
+        text.errors
+    );
 }
 
 /// Sites closer to each other than elements are short.

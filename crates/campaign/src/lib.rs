@@ -93,6 +93,7 @@ pub mod random;
 pub mod records;
 pub mod rounds;
 pub mod run;
+pub mod static_string;
 pub mod sweep_file;
 pub mod tables;
 pub mod text_file;

@@ -150,7 +150,7 @@ fn buckling_points(sweep: &Sweep) -> Vec<LyingPoint> {
 /// N; none where there is no such weight.
 fn buckling_weight(sweep: &Sweep) -> Option<f64> {
     let setting = &sweep.setting;
-    if let Some(lying) = setting.lying_string(&sweep.conditions) {
+    if let Some(lying) = setting.lying_string(&sweep.conditions, None) {
         return lying.ok()?.snaking_weight(MOST_WEIGHT);
     }
     let (hanging, lateral) = (setting.hanging.as_ref()?, setting.lateral.as_ref()?);
@@ -184,7 +184,7 @@ type Speed = (LyingLimit, Option<usize>, f64);
 /// Limits of speed of a string under the conditions of a case.
 fn speeds(setting: &Setting, conditions: &Conditions) -> Option<Vec<Speed>> {
     let lateral = setting.lateral.as_ref()?;
-    let lying = setting.lying_string(conditions)?.ok()?;
+    let lying = setting.lying_string(conditions, None)?.ok()?;
     let frictions = setting.sliding_frictions(conditions)?;
     let sliding = lying.sliding_with(&frictions).ok()?;
     let modes = swinging(setting, lateral, &sliding, &frictions).ok()?;
@@ -376,7 +376,7 @@ mod tests {
         assert_eq!(speeds.collect::<Vec<_>>(), [60.0, 120.0]);
         let lying = sweep
             .setting
-            .lying_string(&sweep.conditions)
+            .lying_string(&sweep.conditions, None)
             .unwrap()
             .unwrap();
         for (part, stays) in [(0.999, true), (1.001, false)] {

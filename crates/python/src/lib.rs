@@ -20,6 +20,7 @@ mod responses;
 mod results_folder;
 mod run;
 mod simulate;
+mod static_string;
 mod string;
 mod sweep;
 mod table;

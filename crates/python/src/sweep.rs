@@ -18,6 +18,7 @@ use crate::read::{ReadSweep, Texts};
 use crate::responses::Responses;
 use crate::run::run;
 use crate::simulate::{Asked, Simulation, simulate};
+use crate::static_string::static_string;
 use crate::string::Drillstring;
 use crate::wait::wait_for;
 
@@ -251,6 +252,17 @@ impl Sweep {
         memory: Option<&str>,
     ) -> PyResult<Vec<Bound<'py, PyDict>>> {
         limit_curves(py, &self.0, limit_of(memory)?)
+    }
+
+    /// How the string lies at rest in its hole: numbers as JSON, and the columns of
+    /// `static_string.csv` and `static_contacts.csv`; nothing where it does not.
+    #[pyo3(signature = (*, bit = None))]
+    fn _static_string<'py>(
+        &self,
+        py: Python<'py>,
+        bit: Option<&str>,
+    ) -> PyResult<Option<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)>> {
+        static_string(py, &self.0, bit)
     }
 
     /// What a table of its run is of.

@@ -2,6 +2,7 @@
 text that gives a number back exactly."""
 
 import csv
+import json
 import math
 import os
 import time
@@ -266,6 +267,20 @@ def test_whirl_limits_are_those_of_a_map_at_its_speeds():
     for name, column in limits.items():
         assert list(map(str, found[name])) == list(map(str, column)), name
     assert len(ds.Sweep.read("sweeps/fig09.toml").whirl_limits(1, 2)["friction"]) == 0
+
+
+@pytest.mark.parametrize("bit", [None, "pinned"])
+def test_a_string_at_rest_is_that_of_the_command(command, tmp_path, bit):
+    file, held = "sweeps/well_12in_low_side.toml", [] if bit is None else ["--bit", bit]
+    options = ["--methods", "finite-element", "--json", "--out", tmp_path]
+    said = json.loads(command("inspect", file, *held, *options).stdout)
+    found = ds.Sweep.read(file).static_string(bit=bit)
+    assert found.numbers == said["lying"]
+    assert_same_columns(found.along, tmp_path / "static_string.csv")
+    assert_same_columns(found.sites, tmp_path / "static_contacts.csv")
+    with pytest.raises(ds.DrillstringError, match='"glued" is neither "contact", "pinned" nor'):
+        ds.Sweep.read(file).static_string(bit="glued")
+    assert ds.Sweep.read("sweeps/fig14.toml").static_string() is None
 
 
 @pytest.mark.parametrize("name", ["fig09", "fig14"])

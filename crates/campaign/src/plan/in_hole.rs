@@ -208,7 +208,7 @@ fn the_shipped_string_lies_in_an_inclined_hole() {
     let sweep = Sweep::read_from(&file, &[], &from).unwrap();
     let lying = sweep
         .setting
-        .lying_string(&sweep.conditions)
+        .lying_string(&sweep.conditions, None)
         .unwrap()
         .unwrap();
     let state = lying.at_rest().unwrap();
@@ -219,7 +219,12 @@ fn the_shipped_string_lies_in_an_inclined_hole() {
     }
     // A hanging one does not lie.
     let sweep = Sweep::read(&Path::new(folder).join("well_12in_contacts.toml")).unwrap();
-    assert!(sweep.setting.lying_string(&sweep.conditions).is_none());
+    assert!(
+        sweep
+            .setting
+            .lying_string(&sweep.conditions, None)
+            .is_none()
+    );
 }
 
 #[test]

@@ -74,7 +74,7 @@ pub fn resolve(
 
 impl Lying {
     /// The string as it lies there under the conditions of a case, on the walls of its sites; the bit
-    /// too, where that is one of them.
+    /// too, where that is one of them, and it is not said how it is held.
     ///
     /// # Errors
     /// Where sites are too close to each other.
@@ -82,12 +82,12 @@ impl Lying {
         &self,
         (string, sites): (&Drillstring, &Sites),
         lateral: &LateralSettings,
-        conditions: &Conditions,
+        (conditions, bit): (&Conditions, Option<Bit>),
     ) -> Result<LyingString, StaticsError> {
-        let bit = match sites.bit_site() {
+        let bit = bit.unwrap_or(match sites.bit_site() {
             Some(_) => Bit::Contact,
             None => Bit::Free,
-        };
+        });
         let course = Course::Surveyed(self.survey.clone());
         let around = statics::Conditions {
             mud: self.mud,
@@ -112,7 +112,7 @@ impl Lying {
         walls: &[Wall],
         begins: LyingStart,
     ) -> Result<sim::Lying, StaticsError> {
-        let lying = self.string(at, lateral, conditions)?;
+        let lying = self.string(at, lateral, (conditions, None))?;
         let frictions: Vec<f64> = match begins {
             LyingStart::AtRest => vec![0.0; walls.len()],
             LyingStart::Sliding(speed) => (walls.iter())

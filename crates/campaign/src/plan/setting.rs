@@ -104,16 +104,17 @@ impl Setting {
     }
 
     /// The string as it lies in its hole under the conditions of a case, where the course of its well
-    /// is known.
+    /// is known; its bit held as is said, or else as in a case.
     ///
     /// # Errors
     /// Where sites are too close to each other.
     pub fn lying_string(
         &self,
         conditions: &Conditions,
+        bit: Option<statics::Bit>,
     ) -> Option<Result<LyingString, StaticsError>> {
         let (lying, lateral) = (self.lying.as_ref()?, self.lateral.as_ref()?);
-        Some(lying.string((&self.string, &self.sites), lateral, conditions))
+        Some(lying.string((&self.string, &self.sites), lateral, (conditions, bit)))
     }
 
     /// The dynamic coefficients of friction of its walls, from the surface down, where it has walls

@@ -29,7 +29,7 @@ from ._parts import (
     Tube,
     Wall,
 )
-from ._results import Analysis, Results, Window, analyse
+from ._results import Analysis, Results, StaticString, Window, analyse
 from ._sweep import Sweep
 from ._table import About, Curve, Table
 
@@ -53,6 +53,7 @@ __all__ = [
     "Results",
     "Section",
     "Simulation",
+    "StaticString",
     "Sweep",
     "SweepFileError",
     "Table",

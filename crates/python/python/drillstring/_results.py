@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ._drillstring import _analyse, _read_results
 from ._table import About, Curve, Table
 
-__all__ = ["Analysis", "Folders", "Results", "Window", "analyse", "paths"]
+__all__ = ["Analysis", "Folders", "Results", "StaticString", "Window", "analyse", "paths"]
 
 Folders = str | PathLike[str] | Sequence[str | PathLike[str]]
 
@@ -80,6 +80,17 @@ class Window(NamedTuple):
     """The best point: where it is, the part of either axis by which it may be off
     (``clearance``), how it stands, and whether that is as much as was asked for. ``None`` where
     nothing is safe."""
+
+
+class StaticString(NamedTuple):
+    """A string at rest in its hole, as ``sweep inspect`` finds it."""
+
+    numbers: dict[str, Any]
+    """What the key ``lying`` of its JSON has."""
+    along: dict[str, NDArray[Any]]
+    """The columns of ``static_string.csv``."""
+    sites: dict[str, NDArray[Any]]
+    """The columns of ``static_contacts.csv``; of what is not there NaN."""
 
 
 def paths(folders: Folders) -> list[str]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ._drillstring import _TEMPLATE, Drillstring, DrillstringError, Responses, Simulation
 from ._drillstring import Sweep as _Sweep
-from ._results import Folders, Window, paths
+from ._results import Folders, StaticString, Window, paths
 from ._table import About, Curve, Table
 
 __all__ = ["Sweep"]
@@ -174,6 +174,18 @@ class Sweep:
         string and walls as the file has them, for any design. No rows without a wall.
         """
         return self._sweep._whirl_limits(least_rpm, most_rpm)
+
+    def static_string(self, *, bit: str | None = None) -> StaticString | None:
+        """How the string lies at rest in its hole, as ``sweep inspect`` finds it: forces, bending
+        moments, stresses. ``bit`` says what holds the bit sideways, ``"contact"``, ``"pinned"`` or
+        ``"free"``; left out, its wall where it is a site. ``None`` where the course of the well is
+        not known, or the string has no wall.
+        """
+        found = self._sweep._static_string(bit=bit)
+        if found is None:
+            return None
+        numbers, along, sites = found
+        return StaticString(json.loads(numbers), along, sites)
 
     def window(
         self,

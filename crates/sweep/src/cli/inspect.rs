@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::values::{parse_order, sweep_file};
 use super::{DocumentArguments, PictureArguments, WorkArguments};
@@ -36,6 +36,10 @@ pub struct InspectArguments {
         value_parser = parse_order
     )]
     pub orders: Vec<f64>,
+    /// Of a string at rest in its hole: what holds its bit sideways [default: its wall, where it is a
+    /// site]
+    #[arg(long, value_enum)]
+    pub bit: Option<BitHolder>,
     /// Write impulse and frequency responses and modes as CSV into the folder
     #[arg(long)]
     pub csv: bool,
@@ -45,4 +49,25 @@ pub struct InspectArguments {
     pub picture: PictureArguments,
     #[command(flatten)]
     pub work: WorkArguments,
+}
+
+/// What holds a bit sideways.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum BitHolder {
+    /// The wall, which it may leave.
+    Contact,
+    /// What it cuts, in the middle of the hole.
+    Pinned,
+    /// Nothing.
+    Free,
+}
+
+impl From<BitHolder> for statics::Bit {
+    fn from(holder: BitHolder) -> Self {
+        match holder {
+            BitHolder::Contact => Self::Contact,
+            BitHolder::Pinned => Self::Pinned,
+            BitHolder::Free => Self::Free,
+        }
+    }
 }

@@ -31,6 +31,7 @@ pub mod schema;
 pub mod shell;
 pub mod simulate;
 mod stability;
+mod static_string;
 pub mod status;
 pub mod stop;
 pub mod study;

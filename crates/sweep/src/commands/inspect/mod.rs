@@ -24,7 +24,8 @@ use super::document::say_document;
 use super::drawing::{Drawing, panels_csv};
 use super::folder::{make_folder, results_folder};
 use super::prepare::{build_systems, open, survey_cases};
-use super::status::Status;
+use super::static_string::{self, ShownString};
+use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::{warn_of_fronts, warn_of_limits, warn_of_sweep};
@@ -33,10 +34,11 @@ use axial_force::InspectedForce;
 use campaign::Campaign;
 use campaign::engine::{add_finer, compare_fronts};
 use campaign::memory::{Demand, Purpose, admit};
+use campaign::static_string::StaticString;
 use clearances::clearances_of_hole;
 use found::Inspection;
 use limits::ForwardContact;
-use lying::{InspectedLying, LyingView};
+use lying::InspectedLying;
 use methods::InspectedMethod;
 use modes::{InspectedModes, write_modes};
 use responses::{response_panels, response_picture};
@@ -98,17 +100,28 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         write_atomically(&folder.join("top_drive.csv"), &panels_csv(&panels)?)?;
         pictures.push(shown("top_drive"));
     }
-    let lying = match LyingView::of(sweep) {
+    let bit = arguments.bit.map(Into::into);
+    let lying = match StaticString::of(&sweep.setting, &sweep.conditions, bit) {
         None => None,
-        Some(Err(error)) => Some(InspectedLying::Refused { error }),
-        Some(Ok(view)) => {
-            drawing.save(&folder, "static_string", &view.picture(look))?;
-            write_atomically(&folder.join("static_string.csv"), &view.along_csv()?)?;
-            write_atomically(&folder.join("static_contacts.csv"), &view.contacts_csv()?)?;
-            pictures.push(shown("static_string"));
-            Some(InspectedLying::AtRest(view.numbers()))
+        Some(Err(error)) => Some(InspectedLying::Refused {
+            error: error.to_string(),
+        }),
+        Some(Ok(string)) => {
+            ShownString {
+                string: &string,
+                title: &sweep.title,
+                units: sweep.content.units,
+            }
+            .write(&folder, &drawing)?;
+            pictures.push(shown(static_string::NAME));
+            Some(InspectedLying::AtRest(Box::new(string.numbers())))
         }
     };
+    if lying.is_none() && arguments.bit.is_some() {
+        let message = "--bit: the string does not lie in its hole: needs a [wall] and a [well] with \
+                       a survey or inclination_deg";
+        return Err(UsageError(message.to_owned()).into());
+    }
     let orders = &arguments.orders;
     let find = |count: u8| InspectedModes::find(sweep, count.into(), orders, &folder, &drawing);
     let modes = arguments.modes.map(find).transpose()?;

@@ -9,12 +9,14 @@ use super::film::chosen_steps;
 use crate::cli::FilmArguments;
 use crate::commands::drawing::Drawing;
 use crate::commands::folder::make_folder;
+use crate::commands::static_string::{self, ShownString};
 use crate::histories::{
     case_csv, case_lines, contact_picture, contacts_csv, cut_picture, film_csv, film_picture,
     history_csv, history_picture, orbit_picture, phase_picture, spectra_picture, string_csv,
     string_picture, surface_picture, whole_strings,
 };
 use campaign::follow::Followed;
+use campaign::static_string::StaticString;
 use plot::Picture;
 use results::files::write_atomically;
 
@@ -56,13 +58,14 @@ impl Written<'_> {
         if lateral.is_some() {
             self.lateral(&wholes)?;
         }
+        let lies = self.static_string()?;
         if !steps.is_empty() {
             let look = look.with_own_ranges();
             let film = film_picture(&look, sweep, cases, &simulations[0], &wholes[0], &steps);
             self.picture("film", &film)?;
             self.table("film.csv", &film_csv(&simulations[0], &wholes[0], &steps)?)?;
         }
-        let files = self.files(lateral.is_some(), &drawn, !steps.is_empty());
+        let files = self.files([lateral.is_some(), lies], &drawn, !steps.is_empty());
         // All cases have the same.
         let found = rows.first().and_then(|row| row.found.as_ref());
         let written = (files.as_str(), self.folder);
@@ -70,12 +73,18 @@ impl Written<'_> {
     }
 
     /// The files that were written, in words.
-    fn files(&self, is_lateral: bool, drawn: &[&'static str], has_film: bool) -> String {
+    fn files(
+        &self,
+        [is_lateral, lies]: [bool; 2],
+        drawn: &[&'static str],
+        has_film: bool,
+    ) -> String {
         let of_walls: &[&str] = match is_lateral {
             true => &["orbit", "string", "contacts"],
             false => &[],
         };
-        let pictures = [&["history"], drawn, of_walls].concat();
+        let at_rest: &[&str] = if lies { &[static_string::NAME] } else { &[] };
+        let pictures = [&["history"], drawn, of_walls, at_rest].concat();
         let film = match has_film {
             false => String::new(),
             true => format!(", film (of {})", self.followed.simulations[0].name),
@@ -84,6 +93,8 @@ impl Written<'_> {
             ("history.csv", true),
             ("string.csv", is_lateral),
             ("contacts.csv", is_lateral),
+            ("static_string.csv", lies),
+            ("static_contacts.csv", lies),
             ("film.csv", has_film),
         ];
         let tables = tables.into_iter().filter(|(_, is_there)| *is_there);
@@ -128,6 +139,22 @@ impl Written<'_> {
 
     fn picture(&self, name: &str, picture: &Picture) -> Result<()> {
         self.drawing.save(self.folder, name, picture)
+    }
+
+    /// The string as it lies at rest, the same in all cases: whether it does.
+    fn static_string(&self) -> Result<bool> {
+        let Followed { sweep, cases, .. } = self.followed;
+        let found = StaticString::of(&sweep.setting, &cases[0].conditions, None);
+        let Some(Ok(string)) = found else {
+            return Ok(false);
+        };
+        let shown = ShownString {
+            string: &string,
+            title: &sweep.title,
+            units: sweep.content.units,
+        };
+        shown.write(self.folder, self.drawing)?;
+        Ok(true)
     }
 
     /// What there is of motion between walls alone. Ranges of axes are those of histories: contacts

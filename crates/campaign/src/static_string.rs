@@ -1,0 +1,249 @@
+//! The string as it lies at rest in its hole, and turning there: what it lies on, how it bends, and
+//! how that stresses it, in the units of files.
+
+use serde::Serialize;
+use statics::{Bit, ContactState, LyingString, Place, StaticState, StaticsError};
+
+use crate::plan::{Conditions, Setting};
+
+/// No weight on bit is larger, N.
+const MOST_WEIGHT: f64 = 5e6;
+
+/// The highest contacts that touch are bent by how the string is cut above them.
+const BENT_BY_CUT: usize = 3;
+
+/// A static state of the string of a setting.
+#[derive(Debug, Clone)]
+pub struct StaticString {
+    /// As it lies at rest.
+    pub state: StaticState,
+    /// The same turning, where that is found.
+    pub sliding: Option<StaticState>,
+    /// What a string without stiffness presses each contact with that touches, N; none of others.
+    pub soft: Vec<Option<f64>>,
+    buckles_without_contacts: bool,
+    /// The weight on bit from which on it does not stay there, N.
+    snaking_weight: Option<f64>,
+    weight_on_bit_kn: f64,
+    /// How long the string is, m.
+    length: f64,
+}
+
+/// A string at rest in its hole.
+#[derive(Debug, Clone, Serialize)]
+pub struct AtRest {
+    /// What the bit bears.
+    pub weight_on_bit_kn: f64,
+    /// How far up from the bit it is modelled.
+    pub modelled_m: f64,
+    /// How far up there are sites.
+    pub sites_to_m: Option<f64>,
+    /// How far up the greatest moment and stresses are looked for: next to its upper end, and above
+    /// the highest sites, the string is bent by how it is cut.
+    pub greatest_within_m: f64,
+    /// How many sites there are.
+    pub sites: usize,
+    /// Those that touch, from the bit up.
+    pub contacts: Vec<TouchingSite>,
+    /// Of the bit on the rock, to the high side and to the right looking down.
+    pub side_force_of_bit_kn: [f64; 2],
+    /// Of the bit to the axis of the hole, towards the same.
+    pub tilt_of_bit_deg: [f64; 2],
+    /// Of the bending moment.
+    pub greatest_moment_knm: Greatest,
+    /// Of the stress by bending.
+    pub greatest_bending_stress_mpa: Greatest,
+    /// Of the von Mises stress, without torque.
+    pub greatest_von_mises_mpa: Greatest,
+    /// Whether nothing but its contacts keeps it from buckling.
+    pub buckles_without_contacts: bool,
+    /// Whether it stays there.
+    pub is_stable: bool,
+    /// The weight on bit from which on it does not stay as it lies at rest; none up to 5 MN.
+    pub snakes_from_kn: Option<f64>,
+    /// In steady rotation, sliding on all that it touches, where friction is known.
+    pub turning: Option<Turning>,
+}
+
+/// A string that turns and slides where it lies.
+#[derive(Debug, Clone, Serialize)]
+pub struct Turning {
+    /// Of all contacts.
+    pub friction_torque_knm: f64,
+    /// From the low side, of the contact that climbs least, and of that which climbs most.
+    pub climb_deg: [f64; 2],
+}
+
+/// The greatest of what varies along the string.
+#[derive(Debug, Clone, Serialize)]
+pub struct Greatest {
+    /// How great.
+    pub value: f64,
+    /// Where, from the bit.
+    pub from_bit_m: f64,
+}
+
+/// Where it touches.
+#[derive(Debug, Clone, Serialize)]
+pub struct TouchingSite {
+    /// Where, from the bit.
+    pub site_from_bit_m: f64,
+    /// What the wall presses with.
+    pub force_kn: f64,
+    /// Around the hole, from its low side to the right looking down.
+    pub angle_deg: f64,
+}
+
+/// A row of a table: its columns, each with its name.
+pub type Row<const COLUMNS: usize> = [(&'static str, Option<f64>); COLUMNS];
+
+impl StaticString {
+    /// That of a setting under conditions, if the course of its well is known and it may touch its
+    /// wall: its bit held as is said, or else as in a case.
+    ///
+    /// # Errors
+    /// Where it has none.
+    pub fn of(
+        setting: &Setting,
+        conditions: &Conditions,
+        bit: Option<Bit>,
+    ) -> Option<Result<Self, StaticsError>> {
+        let view = |lying: LyingString| {
+            let state = lying.at_rest()?;
+            let contacts = lying.contacts().len();
+            let frictions = setting.sliding_frictions(conditions);
+            // A pinned bit is one contact more, which nothing rubs on.
+            let frictions = frictions.map(|mut it| {
+                it.resize(contacts, 0.0);
+                it
+            });
+            let touching = state.contacts().iter().filter(|it| it.touches);
+            let places: Vec<f64> = touching.map(|it| it.contact.distance_from_bit).collect();
+            let soft = setting.soft_forces(conditions, (&places, state.top()));
+            let mut soft = soft.unwrap_or_default().into_iter();
+            let contacts = state.contacts().iter();
+            let soft = contacts.map(|it| it.touches.then(|| soft.next()).flatten());
+            Ok(Self {
+                buckles_without_contacts: lying.buckles_without_contacts(),
+                snaking_weight: lying.snaking_weight(MOST_WEIGHT),
+                sliding: frictions.and_then(|it| lying.sliding_with(&it).ok()),
+                soft: soft.collect(),
+                weight_on_bit_kn: conditions.weight_on_bit_kn.unwrap_or(0.0),
+                length: setting.string.length(),
+                state,
+            })
+        };
+        Some(setting.lying_string(conditions, bit)?.and_then(view))
+    }
+
+    /// Its numbers.
+    pub fn numbers(&self) -> AtRest {
+        let state = &self.state;
+        let greatest = |scale: f64, (from_bit_m, value): (f64, f64)| Greatest {
+            value: scale * value,
+            from_bit_m,
+        };
+        let to = self.trusted();
+        let touching = state.contacts().iter().rev().filter(|it| it.touches);
+        let contact = |it: &ContactState| TouchingSite {
+            site_from_bit_m: it.contact.distance_from_bit,
+            force_kn: 1e-3 * it.normal(),
+            angle_deg: it.climb().to_degrees(),
+        };
+        AtRest {
+            weight_on_bit_kn: self.weight_on_bit_kn,
+            modelled_m: state.top(),
+            sites_to_m: state
+                .contacts()
+                .first()
+                .map(|it| it.contact.distance_from_bit),
+            greatest_within_m: to,
+            sites: state.contacts().len(),
+            contacts: touching.map(contact).collect(),
+            side_force_of_bit_kn: state.side_force_at_bit().map(|force| 1e-3 * force),
+            tilt_of_bit_deg: state.tilt_of_bit().map(f64::to_degrees),
+            greatest_moment_knm: greatest(1e-3, state.greatest_moment(to)),
+            greatest_bending_stress_mpa: greatest(1e-6, state.greatest_bending_stress(to)),
+            greatest_von_mises_mpa: greatest(1e-6, state.greatest_von_mises(to)),
+            buckles_without_contacts: self.buckles_without_contacts,
+            is_stable: state.is_stable(),
+            snakes_from_kn: self.snaking_weight.map(|weight| 1e-3 * weight),
+            turning: self.sliding.as_ref().map(Turning::of),
+        }
+    }
+
+    /// How far from the bit, m, it is as it would be in a longer model: where the string is cut, up to
+    /// the last contacts but some.
+    fn trusted(&self) -> f64 {
+        let top = self.state.top();
+        if top >= self.length {
+            return top;
+        }
+        let touching = self.state.contacts().iter().filter(|it| it.touches);
+        let distances = touching.map(|it| it.contact.distance_from_bit);
+        let below = distances.skip(BENT_BY_CUT).find(|it| *it > 0.0);
+        below.unwrap_or(top)
+    }
+
+    /// The string at the ends of its elements, from the bit up.
+    pub fn along(&self) -> Vec<Row<9>> {
+        let mut places: Vec<Place> = self.state.along().collect();
+        places.reverse();
+        let row = |it: &Place| {
+            let [high, right] = it.by_high_side(it.displacement);
+            let [moment_high, moment_right] = it.by_high_side(it.moment);
+            let stress = it.stress;
+            [
+                ("distance_from_bit_m", it.distance_from_bit),
+                ("high_side_mm", 1e3 * high),
+                ("right_mm", 1e3 * right),
+                ("tension_kn", 1e-3 * it.tension),
+                ("moment_to_high_side_knm", 1e-3 * moment_high),
+                ("moment_to_right_knm", 1e-3 * moment_right),
+                ("axial_stress_mpa", 1e-6 * stress.axial),
+                ("bending_stress_mpa", 1e-6 * stress.bending),
+                ("von_mises_mpa", 1e-6 * stress.von_mises),
+            ]
+            .map(|(name, value)| (name, Some(value)))
+        };
+        places.iter().map(row).collect()
+    }
+
+    /// Its sites, from the bit up.
+    pub fn sites(&self) -> Vec<Row<8>> {
+        let sites = self.state.contacts().iter().enumerate().rev();
+        let row = |(site, it): (usize, &ContactState)| {
+            let [high, right] = it.by_high_side(it.displacement);
+            let sliding = self.sliding.as_ref().map(|state| state.contacts()[site]);
+            let sliding = sliding.filter(|it| it.touches);
+            [
+                ("site_from_bit_m", Some(it.contact.distance_from_bit)),
+                ("clearance_mm", Some(1e3 * it.contact.clearance)),
+                ("high_side_mm", Some(1e3 * high)),
+                ("right_mm", Some(1e3 * right)),
+                ("force_kn", Some(1e-3 * it.normal())),
+                ("soft_string_kn", self.soft[site].map(|force| 1e-3 * force)),
+                ("sliding_force_kn", sliding.map(|it| 1e-3 * it.normal())),
+                (
+                    "sliding_climb_deg",
+                    sliding.map(|it| it.climb().to_degrees()),
+                ),
+            ]
+        };
+        sites.map(row).collect()
+    }
+}
+
+impl Turning {
+    fn of(state: &StaticState) -> Self {
+        let touching = state.contacts().iter().filter(|it| it.touches);
+        let climbs = touching.map(|it| it.climb().to_degrees());
+        let (least, greatest) = climbs.fold((f64::INFINITY, f64::NEG_INFINITY), |ends, climb| {
+            (ends.0.min(climb), ends.1.max(climb))
+        });
+        Self {
+            friction_torque_knm: 1e-3 * state.friction_torque(),
+            climb_deg: [least, greatest],
+        }
+    }
+}
