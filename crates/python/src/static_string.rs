@@ -13,7 +13,7 @@ use crate::table::{Column, by_name};
 use crate::wait::wait_for;
 
 /// Its numbers as JSON, and its tables by column.
-type Parts<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
+pub type Parts<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
 
 /// The string of a sweep as it lies at rest, its bit held as in its cases or as is said; nothing where
 /// the course of its well is not known, or it has no wall.

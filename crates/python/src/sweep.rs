@@ -18,7 +18,7 @@ use crate::read::{ReadSweep, Texts};
 use crate::responses::Responses;
 use crate::run::run;
 use crate::simulate::{Asked, Simulation, simulate};
-use crate::static_string::static_string;
+use crate::static_string::{Parts, static_string};
 use crate::string::Drillstring;
 use crate::wait::wait_for;
 
@@ -261,7 +261,7 @@ impl Sweep {
         &self,
         py: Python<'py>,
         bit: Option<&str>,
-    ) -> PyResult<Option<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)>> {
+    ) -> PyResult<Option<Parts<'py>>> {
         static_string(py, &self.0, bit)
     }
 
