@@ -222,25 +222,44 @@ impl<'a> Convolution<'a> {
             let sums = &mut self.past.sums[..self.planes * stride];
             sums.fill(0.0);
             let mut is_zero = [true; 2];
-            for partition in 0..reach {
+            let terms = (0..reach).flat_map(|partition| (0..sites).map(move |it| (partition, it)));
+            // Of both planes, until there are enough to be added at once.
+            let mut waiting: [Term; TOGETHER] = [Term::default(); TOGETHER];
+            let mut count = 0;
+            for (partition, input) in terms {
                 let newest = past.blocks - 1 - partition;
-                for input in 0..sites {
-                    let pair = (output * sites + input) * plan.partitions + partition;
-                    let kernel = &plan.spectra[pair * stride..(pair + 1) * stride];
-                    for plane in 0..self.planes {
-                        let place = newest * channels + plane * sites + input;
-                        if past.is_active[place] {
-                            is_zero[plane] = false;
-                            add_product(
-                                simd,
-                                &mut sums[plane * stride..(plane + 1) * stride],
-                                kernel,
-                                &past.spectra[place * stride..(place + 1) * stride],
-                            );
-                        }
+                let pair = (output * sites + input) * plan.partitions + partition;
+                let kernel = &plan.spectra[pair * stride..(pair + 1) * stride];
+                let place = |plane: usize| newest * channels + plane * sites + input;
+                let spectrum = |plane: usize| {
+                    let place = place(plane);
+                    &past.spectra[place * stride..(place + 1) * stride]
+                };
+                let is_active = |plane: usize| past.is_active[place(plane)];
+                if self.planes == 2 && is_active(0) && is_active(1) {
+                    is_zero = [false; 2];
+                    waiting[count] = Term {
+                        kernel,
+                        inputs: [spectrum(0), spectrum(1)],
+                    };
+                    count += 1;
+                    if count == TOGETHER {
+                        add_together(simd, sums, &waiting);
+                        count = 0;
+                    }
+                    continue;
+                }
+                // In their order, so that nothing is rounded otherwise.
+                add_waiting(simd, sums, &waiting[..std::mem::take(&mut count)]);
+                for plane in 0..self.planes {
+                    if is_active(plane) {
+                        is_zero[plane] = false;
+                        let sums = &mut sums[plane * stride..(plane + 1) * stride];
+                        add_product(simd, sums, kernel, spectrum(plane));
                     }
                 }
             }
+            add_waiting(simd, sums, &waiting[..count]);
             for plane in 0..self.planes {
                 let from = (plane * sites + output) * block;
                 let ready = &mut past.ready[from..from + block];
@@ -301,6 +320,69 @@ fn add_scaled<S: Simd>(simd: S, sums: &mut [f64], factor: f64, values: &[f64]) {
     for (sum, &value) in sums.iter_mut().zip(values) {
         *sum = simd.add_f64s(*sum, simd.mul_f64s(factor, value));
     }
+}
+
+/// Products of spectra that are added at once: sums are read and written once for all of them.
+const TOGETHER: usize = 4;
+
+/// The spectrum of a kernel, and those of its inputs in both planes.
+#[derive(Clone, Copy, Default)]
+struct Term<'a> {
+    kernel: &'a [f64],
+    inputs: [&'a [f64]; 2],
+}
+
+/// Adds the products of terms, fewer than [`TOGETHER`], to the sums of both planes.
+#[inline(always)]
+fn add_waiting<S: Simd>(simd: S, sums: &mut [f64], terms: &[Term]) {
+    for term in terms {
+        let planes = sums.chunks_exact_mut(term.kernel.len());
+        for (sums, input) in planes.zip(term.inputs) {
+            add_product(simd, sums, term.kernel, input);
+        }
+    }
+}
+
+/// The same of as many as these, one after the other at each frequency.
+#[inline(always)]
+fn add_together<S: Simd>(simd: S, sums: &mut [f64], terms: &[Term; TOGETHER]) {
+    let stride = terms[0].kernel.len();
+    let block = stride / 2;
+    let kernels = terms.map(|term| complex_lanes::<S>(term.kernel));
+    for (plane, sums) in sums.chunks_exact_mut(stride).enumerate() {
+        let inputs = terms.map(|term| complex_lanes::<S>(term.inputs[plane]));
+        // What stands first in both parts is real, of the lowest and of the highest frequency.
+        let ends = [0, block].map(|end| {
+            let products = terms
+                .iter()
+                .map(|it| it.kernel[end] * it.inputs[plane][end]);
+            products.fold(sums[end], |sum, product| sum + product)
+        });
+        let (real, imaginary) = sums.split_at_mut(block);
+        let real = S::as_mut_simd_f64s(real).0;
+        let imaginary = S::as_mut_simd_f64s(imaginary).0;
+        for (lane, (re, im)) in real.iter_mut().zip(imaginary).enumerate() {
+            for (kernel, input) in kernels.iter().zip(&inputs) {
+                let (a, b, c, d) = (
+                    kernel[0][lane],
+                    kernel[1][lane],
+                    input[0][lane],
+                    input[1][lane],
+                );
+                let (real, imaginary) = (simd.mul_f64s(a, c), simd.mul_f64s(a, d));
+                *re = simd.add_f64s(*re, simd.sub_f64s(real, simd.mul_f64s(b, d)));
+                *im = simd.add_f64s(*im, simd.add_f64s(imaginary, simd.mul_f64s(b, c)));
+            }
+        }
+        (sums[0], sums[block]) = (ends[0], ends[1]);
+    }
+}
+
+/// Real and imaginary parts of a spectrum as [`split`] leaves it.
+#[inline(always)]
+fn complex_lanes<S: Simd>(spectrum: &[f64]) -> [&[S::f64s]; 2] {
+    let (real, imaginary) = spectrum.split_at(spectrum.len() / 2);
+    [S::as_simd_f64s(real).0, S::as_simd_f64s(imaginary).0]
 }
 
 /// Adds the product of two spectra, each as [`split`] leaves it.
