@@ -39,6 +39,9 @@ impl Watchers {
         let lowest = stepper.lowest_law();
         let bit = lowest.map(|_| {
             let mut watch = BitWatch::new(rules, sampling, steps, window);
+            if scene.axial.is_some() {
+                watch = watch.creeping(scene.surface_speed);
+            }
             watch.skip_stuck(stepper.next_step().min(steps));
             watch
         });

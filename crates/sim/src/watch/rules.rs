@@ -23,6 +23,11 @@ pub struct Rules {
     /// Recaptures that make stick-slip: near the limit one may be the echo of the
     /// first slip and a second its consequence; a third repeats.
     pub repeated: usize,
+    /// A bit that cuts, and was stuck, slips once it turns faster than this part of the surface
+    /// speed: what it cuts holds it near standstill without holding it fast, so that it creeps and
+    /// stops many times in one stick. As it turns with the surface in the mean, a slip is faster
+    /// than that.
+    pub creeping: f64,
     /// The part of the closing window that a whirling site spends in contact.
     pub mostly: f64,
     /// The part of the closing window that a bit which bounces is off bottom.
@@ -59,6 +64,7 @@ impl Rules {
     /// Those by which this program classifies regimes.
     pub const USUAL: Rules = Rules {
         repeated: 3,
+        creeping: 0.5,
         mostly: 0.5,
         off_bottom: 1e-3,
         least_turns: 0.1,

@@ -136,6 +136,8 @@ pub(crate) struct BitWatch {
     sampling: Sampling,
     closing_from: usize,
     step: usize,
+    /// A bit that was stuck slips once it turns faster than this, rad/s.
+    creep: f64,
     motion: BitMotion,
     first_slip: Option<usize>,
     last_slip: usize,
@@ -187,6 +189,7 @@ impl BitWatch {
             sampling,
             closing_from: steps.saturating_sub(window.max(1)),
             step: 0,
+            creep: 0.0,
             motion: BitMotion::Stuck,
             first_slip: None,
             last_slip: 0,
@@ -203,12 +206,22 @@ impl BitWatch {
         }
     }
 
+    /// The same of a bit that creeps at a speed of the surface (rad/s), as one that cuts does.
+    pub(crate) fn creeping(self, surface_speed: f64) -> Self {
+        Self {
+            creep: self.rules.creeping * surface_speed.abs(),
+            ..self
+        }
+    }
+
     /// The first steps, in which the bit does not move.
     pub(crate) fn skip_stuck(&mut self, steps: usize) {
         self.step += steps;
     }
 
     pub(crate) fn see(&mut self, motion: BitMotion, speed: f64) {
+        let creeps = self.motion == BitMotion::Stuck && speed.abs() < self.creep;
+        let motion = if creeps { BitMotion::Stuck } else { motion };
         match (self.motion, motion) {
             (BitMotion::Stuck, BitMotion::Stuck) => {}
             (BitMotion::Stuck, _) => {
@@ -407,6 +420,28 @@ mod tests {
             _ if step % 2 == 0 => 1.5,
             _ => 2.5,
         }
+    }
+
+    /// A stick in which the bit creeps and stops is one, where creeping is told from slipping.
+    #[test]
+    fn what_creeps_has_not_slipped() {
+        let sticks = |creeps: bool| {
+            let mut watch = BitWatch::new(Rules::USUAL, Sampling::new(1.0, 0.0), 400, 40.0);
+            if creeps {
+                watch = watch.creeping(1.0);
+            }
+            for step in 0..400 {
+                // Of forty steps thirty at the speed of the surface; then creep and standstill.
+                let (motion, speed) = match (step % 40, step % 2) {
+                    (0..30, _) => (BitMotion::Forward, 1.0),
+                    (_, 0) => (BitMotion::Forward, 0.005),
+                    _ => (BitMotion::Stuck, 0.0),
+                };
+                watch.see(motion, speed);
+            }
+            watch.measures(1.0).sticks
+        };
+        assert_eq!((sticks(true), sticks(false)), (10, 50));
     }
 
     #[test]
