@@ -107,9 +107,31 @@ impl<'a> ElementChain<'a> {
         support: SurfaceSupport,
         zeta: T,
     ) -> ResponseMatrix<T> {
+        let sites = (self.sites, self.springs.as_slice());
+        bending::reduce(self.beams(bending, zeta), sites, support)
+    }
+
+    /// In bending: moments at some sites (row) from forces at others (column), N m/N, by their
+    /// numbers, as elements are in equilibrium.
+    pub fn moments<T: Number>(
+        &self,
+        bending: &Bending,
+        support: SurfaceSupport,
+        zeta: T,
+        places_and_loads: (&[usize], &[usize]),
+    ) -> Vec<T> {
+        let beams = self.beams(bending, zeta);
+        bending::moments(beams, &self.springs, support, places_and_loads)
+    }
+
+    fn beams<T: Number>(
+        &self,
+        bending: &Bending,
+        zeta: T,
+    ) -> impl Iterator<Item = Option<Beam<T>>> {
         let rates = Rates::at(&self.weights, zeta);
         let loss = self.loss.at(|| rates.trapezoidal);
-        let tube = |around: Surroundings, tube: &Tube| {
+        let tube = move |around: Surroundings, tube: &Tube| {
             let (count, element) = divided(tube, self.longest);
             // The mass that is moved aside however fast is mass to the scheme as well.
             let mass = self.string.mass_sideways(tube, around.hole_radius);
@@ -117,8 +139,7 @@ impl<'a> ElementChain<'a> {
             let element = beam_element(&bending.under(around.tension), &element, mass, rates, loss);
             Beam::of(element).repeated(count)
         };
-        let sites = (self.sites, self.springs.as_slice());
-        bending::reduce(chain::hanging(&self.spans, tube), sites, support)
+        chain::hanging(&self.spans, tube)
     }
 }
 

@@ -20,6 +20,7 @@ use crate::filters::quadrature::{Formula, Sampling};
 use crate::filters::{Buffers, direct, held, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
+use crate::sites::Sites;
 use crate::waves::lateral::BendingNetwork;
 
 /// Lateral responses before they are built.
@@ -30,10 +31,38 @@ pub(super) struct BendingPlan<'a> {
     request: &'a Request,
     bending: &'a Bending,
     support: SurfaceSupport,
+    wanted: Wanted,
     /// Taps of each response.
     taps: usize,
     /// Of what they are made of.
     buffers: Buffers,
+}
+
+/// What is wanted of a string that bends.
+#[derive(Debug, Clone)]
+pub(super) enum Wanted {
+    /// Displacements of all sites of the request from forces there.
+    Displacements,
+    /// Moments at some places from forces at others, both by their numbers among the nodes.
+    Moments {
+        nodes: Sites,
+        places: Vec<usize>,
+        loads: Vec<usize>,
+    },
+}
+
+impl Wanted {
+    /// Number of responses, and of nodes of the string.
+    fn sizes(&self, sites: usize) -> (usize, usize) {
+        match self {
+            Self::Displacements => (sites * sites, sites),
+            Self::Moments {
+                nodes,
+                places,
+                loads,
+            } => (places.len() * loads.len(), nodes.len()),
+        }
+    }
 }
 
 impl<'a> BendingPlan<'a> {
@@ -45,15 +74,15 @@ impl<'a> BendingPlan<'a> {
         string: &'a Drillstring,
         method: &'a Method,
         request: &'a Request,
-        bending: &'a Bending,
-        support: SurfaceSupport,
+        (bending, support): (&'a Bending, SurfaceSupport),
+        wanted: Wanted,
     ) -> Result<Self, BuildError> {
         bending.check()?;
         let needed = needed_taps(request.longest_time, request.sampling_frequency);
         if needed > MOST_TAPS as f64 {
             return Err(too_many(needed));
         }
-        let (taps, channels) = (needed as usize, request.sites.len().pow(2));
+        let (taps, (channels, _)) = (needed as usize, wanted.sizes(request.sites.len()));
         let buffers = match method {
             Method::Held => held::smooth_buffers(taps, channels),
             Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
@@ -77,6 +106,7 @@ impl<'a> BendingPlan<'a> {
             request,
             bending,
             support,
+            wanted,
             taps,
             buffers,
         })
@@ -89,9 +119,8 @@ impl<'a> BendingPlan<'a> {
 
     /// What building takes.
     pub(super) fn need(&self) -> Need {
-        let made = self
-            .buffers
-            .need(working_bytes(self.request.sites.len(), 4));
+        let (_, nodes) = self.wanted.sizes(self.request.sites.len());
+        let made = self.buffers.need(working_bytes(nodes, 4));
         let kept = REAL * (self.buffers.channels * self.taps) as f64;
         match self.method {
             Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => made,
@@ -110,7 +139,6 @@ impl<'a> BendingPlan<'a> {
     pub(super) fn build(&self, budget: &Budget) -> Result<ChannelResponses, BuildError> {
         let working = budget.begin(self.need(), What::Responses)?;
         let taps = self.taps_of_pairs()?;
-        all_finite(&taps, self.method)?;
         working.done();
         let (sites, mut taps) = (self.request.sites.len(), taps.into_iter());
         Ok(ChannelResponses {
@@ -124,26 +152,46 @@ impl<'a> BendingPlan<'a> {
         })
     }
 
-    /// Responses of each site from each force.
-    fn taps_of_pairs(&self) -> Result<Vec<Vec<f64>>, BuildError> {
+    /// Responses of each site, or of the moment at each place, from each force.
+    ///
+    /// # Errors
+    /// Where they are not finite.
+    pub(super) fn taps_of_pairs(&self) -> Result<Vec<Vec<f64>>, BuildError> {
+        let taps = self.made_taps()?;
+        all_finite(&taps, self.method)?;
+        Ok(taps)
+    }
+
+    /// Where the string is cut.
+    fn nodes(&self) -> &Sites {
+        match &self.wanted {
+            Wanted::Displacements => &self.request.sites,
+            Wanted::Moments { nodes, .. } => nodes,
+        }
+    }
+
+    fn made_taps(&self) -> Result<Vec<Vec<f64>>, BuildError> {
         let (bending, support, request) = (self.bending, self.support, self.request);
-        let network = BendingNetwork::new(self.string, *bending, support, &request.sites)?;
+        let network = BendingNetwork::new(self.string, *bending, support, self.nodes())?;
         let (frequency, needed, count) =
             (request.sampling_frequency, self.taps, self.buffers.channels);
-        let displacement = |s: Lanes, responses: &mut [Lanes]| {
-            responses.copy_from_slice(network.receptance(s).entries());
+        let answer = |s: Lanes, responses: &mut [Lanes]| match &self.wanted {
+            Wanted::Displacements => responses.copy_from_slice(network.receptance(s).entries()),
+            Wanted::Moments { places, loads, .. } => {
+                responses.copy_from_slice(&network.moments(s, (places, loads)));
+            }
         };
         let by_formula = |formula: Formula| {
             let sampling = Sampling::Close;
-            quadrature::taps(formula, frequency, needed, count, sampling, &displacement)
+            quadrature::taps(formula, frequency, needed, count, sampling, &answer)
         };
         let velocity = |s: Lanes, responses: &mut [Lanes]| {
-            let receptance = network.receptance(s);
+            answer(s, responses);
             for (pair, response) in responses.iter_mut().enumerate() {
-                let receptance = receptance.entries()[pair];
+                let answer = *response;
                 *response = Lanes::of_lanes(|lane| match s.lane(lane) {
                     Complex64::ZERO => self.rigid(pair).into(),
-                    s => s * receptance.lane(lane),
+                    s => s * answer.lane(lane),
                 });
             }
         };
@@ -171,6 +219,10 @@ impl<'a> BendingPlan<'a> {
     /// surface is free, rotation alone where it is pinned, nothing where it is clamped. An
     /// axial force does not let it turn for ever.
     fn rigid(&self, pair: usize) -> f64 {
+        if let Wanted::Moments { .. } = self.wanted {
+            // That bends nothing.
+            return 0.0;
+        }
         let (length, distances) = (
             self.string.length(),
             self.request.sites.distances_from_bit(),
@@ -199,21 +251,23 @@ impl<'a> BendingPlan<'a> {
         let chain = ElementChain::new(
             self.string,
             Channel::Bending,
-            &request.sites,
+            self.nodes(),
             parameters.elements_per_cell,
             Weights::new(parameters, request.sampling_frequency)?,
         )?;
-        let receptance = |zeta: Lanes, responses: &mut [Lanes]| {
-            let receptance = chain.receptance(self.bending, self.support, zeta);
-            responses.copy_from_slice(receptance.entries());
+        let (bending, support) = (self.bending, self.support);
+        let answer = |zeta: Lanes, responses: &mut [Lanes]| match &self.wanted {
+            Wanted::Displacements => {
+                let receptance = chain.receptance(bending, support, zeta);
+                responses.copy_from_slice(receptance.entries());
+            }
+            Wanted::Moments { places, loads, .. } => {
+                let moments = chain.moments(bending, support, zeta, (places, loads));
+                responses.copy_from_slice(&moments);
+            }
         };
         let (taps, count) = (self.taps, self.buffers.channels);
-        Ok(quadrature::series(
-            taps,
-            count,
-            Sampling::Close,
-            &receptance,
-        ))
+        Ok(quadrature::series(taps, count, Sampling::Close, &answer))
     }
 }
 
