@@ -78,6 +78,7 @@
 //! ```
 
 mod axial_motion;
+mod bending_moments;
 pub mod convolution;
 mod coupling;
 pub mod diagnosis;
@@ -111,6 +112,7 @@ pub mod watch;
 mod wavering;
 mod words;
 
+pub use bending_moments::BendingMoments;
 pub use error::SimulationError;
 pub use excitation::{EccentricMass, Impulse};
 pub use label::{Label, Labels};
@@ -145,5 +147,6 @@ pub use watch::along::StringTorque;
 pub use watch::axial::{AxialMeasures, AxialRegime};
 pub use watch::lateral::{LateralMeasures, LateralRegime, LyingMeasures};
 pub use watch::shocks::ShockMeasures;
+pub use watch::stress::{Peak, StressMeasures, StressedPlace};
 pub use watch::surface::SurfaceMeasures;
 pub use watch::torsion::{TorsionMeasures, TorsionRegime};

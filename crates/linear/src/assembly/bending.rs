@@ -10,6 +10,7 @@ use super::nodes::{Nodes, Relation, StiffnessBetween};
 use super::number::Number;
 use super::stiff_beam::StiffBeam;
 use crate::bending::SurfaceSupport;
+use crate::sites::SitesAndPlaces;
 
 /// A piece of beam: seen from its top where it is short, between its ends where its waves
 /// hardly get through.
@@ -135,17 +136,18 @@ fn nodes<T: Number>(
     })
 }
 
-/// Bending moment at each of some nodes (row) per unit force at each of others (column), N m/N, both
-/// from the surface down; of pieces as in [`reduce`], whose nodes are held by springs (N/m) or by none.
+/// Bending moment at each of some places (row) per unit force at each site (column), N m/N; of pieces as
+/// in [`reduce`] between the nodes of both, which springs (N/m) hold or none.
 /// It is M = EI x″: with what the piece above opposes to the motion of its lower end, or that below,
 /// the other way round, to the motion of its upper end.
 pub fn moments<T: Number>(
     pieces: impl Iterator<Item = Option<Beam<T>>>,
     springs: &[f64],
     support: SurfaceSupport,
-    (places, loads): (&[usize], &[usize]),
+    SitesAndPlaces { places, sites, .. }: &SitesAndPlaces,
 ) -> Vec<T> {
     let nodes = nodes(pieces, springs, support);
+    let loads = sites;
     let mut moments = vec![T::zero(); places.len() * loads.len()];
     // Forces at a place or above it.
     for (column, &load) in loads.iter().enumerate() {

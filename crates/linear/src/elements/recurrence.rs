@@ -28,7 +28,7 @@ use crate::distributed_loss::{LossAlong, tubes};
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 use crate::loss::Fit;
-use crate::sites::Sites;
+use crate::sites::{Sites, SitesAndPlaces};
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 
@@ -111,17 +111,16 @@ impl<'a> ElementChain<'a> {
         bending::reduce(self.beams(bending, zeta), sites, support)
     }
 
-    /// In bending: moments at some sites (row) from forces at others (column), N m/N, by their
-    /// numbers, as elements are in equilibrium.
+    /// In bending: moments at some places (row) from forces at the sites (column), N m/N, of a string
+    /// cut at both, as its elements are in equilibrium.
     pub fn moments<T: Number>(
         &self,
         bending: &Bending,
         support: SurfaceSupport,
         zeta: T,
-        places_and_loads: (&[usize], &[usize]),
+        cut: &SitesAndPlaces,
     ) -> Vec<T> {
-        let beams = self.beams(bending, zeta);
-        bending::moments(beams, &self.springs, support, places_and_loads)
+        bending::moments(self.beams(bending, zeta), &self.springs, support, cut)
     }
 
     fn beams<T: Number>(

@@ -20,7 +20,7 @@ use crate::filters::quadrature::{Formula, Sampling};
 use crate::filters::{Buffers, direct, held, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
-use crate::sites::Sites;
+use crate::sites::{Sites, SitesAndPlaces};
 use crate::waves::lateral::BendingNetwork;
 
 /// Lateral responses before they are built.
@@ -43,12 +43,8 @@ pub(super) struct BendingPlan<'a> {
 pub(super) enum Wanted {
     /// Displacements of all sites of the request from forces there.
     Displacements,
-    /// Moments at some places from forces at others, both by their numbers among the nodes.
-    Moments {
-        nodes: Sites,
-        places: Vec<usize>,
-        loads: Vec<usize>,
-    },
+    /// Moments at some places from forces at the sites of the request.
+    Moments(SitesAndPlaces),
 }
 
 impl Wanted {
@@ -56,11 +52,7 @@ impl Wanted {
     fn sizes(&self, sites: usize) -> (usize, usize) {
         match self {
             Self::Displacements => (sites * sites, sites),
-            Self::Moments {
-                nodes,
-                places,
-                loads,
-            } => (places.len() * loads.len(), nodes.len()),
+            Self::Moments(cut) => (cut.places.len() * sites, cut.nodes.len()),
         }
     }
 }
@@ -166,7 +158,7 @@ impl<'a> BendingPlan<'a> {
     fn nodes(&self) -> &Sites {
         match &self.wanted {
             Wanted::Displacements => &self.request.sites,
-            Wanted::Moments { nodes, .. } => nodes,
+            Wanted::Moments(cut) => &cut.nodes,
         }
     }
 
@@ -177,9 +169,7 @@ impl<'a> BendingPlan<'a> {
             (request.sampling_frequency, self.taps, self.buffers.channels);
         let answer = |s: Lanes, responses: &mut [Lanes]| match &self.wanted {
             Wanted::Displacements => responses.copy_from_slice(network.receptance(s).entries()),
-            Wanted::Moments { places, loads, .. } => {
-                responses.copy_from_slice(&network.moments(s, (places, loads)));
-            }
+            Wanted::Moments(cut) => responses.copy_from_slice(&network.moments(s, cut)),
         };
         let by_formula = |formula: Formula| {
             let sampling = Sampling::Close;
@@ -219,7 +209,7 @@ impl<'a> BendingPlan<'a> {
     /// surface is free, rotation alone where it is pinned, nothing where it is clamped. An
     /// axial force does not let it turn for ever.
     fn rigid(&self, pair: usize) -> f64 {
-        if let Wanted::Moments { .. } = self.wanted {
+        if let Wanted::Moments(_) = self.wanted {
             // That bends nothing.
             return 0.0;
         }
@@ -261,8 +251,8 @@ impl<'a> BendingPlan<'a> {
                 let receptance = chain.receptance(bending, support, zeta);
                 responses.copy_from_slice(receptance.entries());
             }
-            Wanted::Moments { places, loads, .. } => {
-                let moments = chain.moments(bending, support, zeta, (places, loads));
+            Wanted::Moments(cut) => {
+                let moments = chain.moments(bending, support, zeta, cut);
                 responses.copy_from_slice(&moments);
             }
         };

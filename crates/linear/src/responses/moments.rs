@@ -33,9 +33,9 @@ use super::bending::{BendingPlan, Wanted};
 use super::request::{ChannelRequest, Request};
 use crate::budget::{Budget, Need, OutOfBudget, What};
 use crate::drillstring::Drillstring;
-use crate::error::{BuildError, DrillstringError};
+use crate::error::BuildError;
 use crate::method::Method;
-use crate::sites::Sites;
+use crate::sites::{Sites, SitesAndPlaces};
 
 /// Bending moments by forces, the linear string's own: M = EI u″, positive where the string is bent
 /// towards positive displacements.
@@ -79,8 +79,13 @@ impl<'a> MomentPlan<'a> {
         });
         let bends = bends.ok_or(BuildError::NoBending)?;
         let places = Sites::new(string, places)?.distances_from_bit().to_vec();
-        let parts = places.chunks(request.sites.len()).map(|places| {
-            let wanted = wanted(string, &request.sites, places)?;
+        // Cut at all places, so that a moment does not depend on which others are found with it.
+        let cut = request.sites.with_places(string, &places)?;
+        let parts = cut.places.chunks(request.sites.len()).map(|places| {
+            let wanted = Wanted::Moments(SitesAndPlaces {
+                places: places.to_vec(),
+                ..cut.clone()
+            });
             BendingPlan::new(string, method, request, bends, wanted)
         });
         Ok(Self {
@@ -127,38 +132,4 @@ impl<'a> MomentPlan<'a> {
             from_forces,
         })
     }
-}
-
-/// Moments at places (m from the bit, from the surface down) of a string cut there and at its sites.
-fn wanted(string: &Drillstring, sites: &Sites, places: &[f64]) -> Result<Wanted, DrillstringError> {
-    let at_sites = sites.distances_from_bit();
-    let is_at = |place: f64| {
-        let same_place = string.same_place();
-        move |other: &f64| (other - place).abs() <= same_place
-    };
-    let free = places
-        .iter()
-        .filter(|place| !at_sites.iter().any(is_at(**place)));
-    let all: Vec<f64> = at_sites.iter().chain(free).copied().collect();
-    let nodes = Sites::new(string, &all)?;
-    let number = |place: &f64| nodes.distances_from_bit().iter().position(is_at(*place));
-    let (places, loads): (Vec<usize>, Vec<usize>) = (
-        places.iter().filter_map(number).collect(),
-        at_sites.iter().filter_map(number).collect(),
-    );
-    let nodes = match sites.springs() {
-        [] => nodes,
-        springs => {
-            let mut held = vec![0.0; nodes.len()];
-            for (load, spring) in loads.iter().zip(springs) {
-                held[*load] = *spring;
-            }
-            nodes.held_by(held)?
-        }
-    };
-    Ok(Wanted::Moments {
-        nodes,
-        places,
-        loads,
-    })
 }

@@ -30,7 +30,7 @@ use crate::channel::Channel;
 use crate::distributed_loss::{Interpolated, LossAlong};
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::DrillstringError;
-use crate::sites::Sites;
+use crate::sites::{Sites, SitesAndPlaces};
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 
@@ -107,19 +107,10 @@ impl<'a> BendingNetwork<'a> {
         reduce(self.pieces(s), (self.sites, &self.springs), self.support)
     }
 
-    /// Bending moment at each of some sites (row) per unit force at each of others (column), N m/N, by
-    /// their numbers, at the Laplace variable `s` (rad/s, not zero).
-    pub(crate) fn moments<T: Number>(
-        &self,
-        s: T,
-        places_and_loads: (&[usize], &[usize]),
-    ) -> Vec<T> {
-        moments(
-            self.pieces(s),
-            &self.springs,
-            self.support,
-            places_and_loads,
-        )
+    /// Bending moment at each of some places (row) per unit force at each site (column), N m/N, of a
+    /// string cut at both, at the Laplace variable `s` (rad/s, not zero).
+    pub(crate) fn moments<T: Number>(&self, s: T, cut: &SitesAndPlaces) -> Vec<T> {
+        moments(self.pieces(s), &self.springs, self.support, cut)
     }
 
     fn pieces<T: Number>(&self, s: T) -> impl Iterator<Item = Option<Beam<T>>> {
