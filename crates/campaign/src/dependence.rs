@@ -330,6 +330,7 @@ impl<'a> OfString<'a> {
             return Some(Vec::new());
         }
         let system = Recipe::of(self.sweep, setting, method, longest)
+            .for_labels()
             .build()
             .ok()?;
         if system.instability().is_some() {
