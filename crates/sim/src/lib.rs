@@ -38,6 +38,7 @@
 //! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`watch::torsion`] |
+//! | bending moments after a case, by the forces of it; stress | [`BendingMoments`], [`StressMeasures`] |
 //! | Section 5.2.2: transient contact or whirl | [`watch::lateral`], its bound in [`steady_whirl`] |
 //! | Section 5: what a case is, and what disturbs it | [`scene`], [`excitation`] |
 //! | one case from rest to its label | [`simulator`], [`Outcome`], [`trajectory`] |

@@ -434,7 +434,7 @@ fn val_a_string_at_rest_elsewhere_and_springs_too_stiff_are_refused() {
 const BENT_AT: [f64; 5] = [55.0, 40.0, 30.0, 26.5, 10.0];
 
 /// What bends it at rest at a wall, q d²/12 of equal spans, N m.
-const BENT_BY: f64 = 1605.383_434 * (LENGTH / 9.0) * (LENGTH / 9.0) / 12.0;
+const BENT_BY: f64 = 1_605.383_434 * (LENGTH / 9.0) * (LENGTH / 9.0) / 12.0;
 
 /// Elements short enough for the waves that matter.
 const MESH: FiniteElement = FiniteElement {
