@@ -207,7 +207,7 @@ fn drawn(number: usize) -> (Drillstring, Request, Draw) {
     (string, request, draw)
 }
 
-/// EI u″ by the displacements of three places next to each other, which have no force of their own.
+/// EI u″ by the displacements of three places next to each other, without forces there.
 fn by_curvature(
     string: &Drillstring,
     method: &Method,
@@ -297,7 +297,7 @@ fn val_a_moment_between_sites_is_the_curvature_of_the_string_there() {
 }
 
 #[test]
-fn val_places_that_are_none_and_strings_that_do_not_bend_are_refused() {
+fn val_invalid_places_and_strings_that_do_not_bend_are_refused() {
     let (string, request) = pinned(1, 200.0, 1.0);
     let refused = |request: &Request, places: &[f64]| {
         MomentPlan::new(&string, &Method::Held, request, places).is_err()

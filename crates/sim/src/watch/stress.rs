@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use linear::{Stress, Tube};
 use serde::{Deserialize, Serialize};
 
-/// Directions across the string, within half a turn, in which points of its surface are looked at: at
+/// Directions across the string, within half a turn, in which points of its surface are followed: at
 /// the worst point half-way between two, stress is 3e-4 greater.
 const DIRECTIONS: usize = 64;
 
