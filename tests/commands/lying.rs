@@ -40,6 +40,10 @@ distance_from_bit_m = 0
 clearance_mm = 2
 "#;
 
+/// Two cases of it.
+const DESIGN: &str =
+    "[design]\nkind = \"grid\"\n[design.axes]\nfriction = { values = [0.1, 0.3] }\n";
+
 #[test]
 fn an_inspection_says_how_a_string_lies_in_its_hole() {
     let place = Workplace::with_small(LYING);
@@ -166,8 +170,7 @@ fn a_run_says_how_a_string_lies_and_swings() {
         assert_eq!(run.code, 0, "{run:?}");
         place
     };
-    let design = "[design]\nkind = \"grid\"\n[design.axes]\nfriction = { values = [0.1, 0.3] }\n";
-    let place = run(design);
+    let place = run(DESIGN);
     let table = std::fs::read_to_string(place.path("out/labels.csv")).unwrap();
     let mut lines = table
         .lines()
@@ -197,11 +200,151 @@ fn a_run_says_how_a_string_lies_and_swings() {
         "sites = \"ends\"",
         "sites = \"ends\"\nlies_on_low_side = false",
     );
-    let place = Workplace::with_small(&(hangs + design));
+    let place = Workplace::with_small(&(hangs + DESIGN));
     let hanging = place.sweep(&["run", "small.toml", "--out", "out"]);
     assert_eq!(hanging.code, 0, "{hanging:?}");
     let table = std::fs::read_to_string(place.path("out/labels.csv")).unwrap();
     assert!(!table.contains("climb_deg") && table.contains("no_contact"));
+}
+
+/// The rows of `labels.csv` of a run, as numbers by the names of columns.
+fn rows_of(place: &Workplace) -> Vec<impl Fn(&str) -> f64 + use<>> {
+    let run = place.sweep(&["run", "small.toml", "--out", "out"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let table = std::fs::read_to_string(place.path("out/labels.csv")).unwrap();
+    let mut lines = table.lines().map(|line| {
+        let fields = line.split(',').map(str::to_owned);
+        fields.collect::<Vec<String>>()
+    });
+    let names = lines.next().unwrap();
+    let row = |fields: Vec<String>| {
+        let names = names.clone();
+        move |name: &str| {
+            let at = names.iter().position(|it| it == name).unwrap();
+            fields[at].parse::<f64>().unwrap()
+        }
+    };
+    lines.map(row).collect()
+}
+
+/// Without friction it turns as it lies, so that it is bent as `inspect` says, by every method: once a
+/// turn each point of its surface is stretched as much as it is pressed.
+#[test]
+fn a_string_that_turns_as_it_lies_is_bent_and_stressed_as_at_rest() {
+    let text = LYING
+        .replace("friction = 0.3", "friction = 0\nstress_every_m = 1")
+        .replace("time_s = 1\n", "time_s = 6\n")
+        .replace(
+            "[\"finite-element\"]",
+            "[\"held\", \"quadrature\", \"finite-element\"]",
+        );
+    let place = Workplace::with_small(&text);
+    let inspected = place.answer(&["inspect", "small.toml", "--out", "out", "--json"]);
+    let found: Value = serde_json::from_str(&inspected.output).unwrap();
+    let greatest = |what: &str| found["lying"][what]["value"].as_f64().unwrap();
+    let along = std::fs::read_to_string(place.path("out/static_string.csv")).unwrap();
+    let mut lines = along
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let names = lines.next().unwrap();
+    let column = |name: &str| names.iter().position(|it| *it == name).unwrap();
+    let at_rest: Vec<[f64; 2]> = lines
+        .map(|line| {
+            let number = |name: &str| line[column(name)].parse::<f64>().unwrap();
+            let moment = ["moment_to_high_side_knm", "moment_to_right_knm"].map(number);
+            [number("distance_from_bit_m"), moment[0].hypot(moment[1])]
+        })
+        .collect();
+    let rows = rows_of(&place);
+    assert_eq!(rows.len(), 3);
+    for row in &rows {
+        let (moment, from_bit) = (
+            row("bending_moment_peak_kn_m"),
+            row("bending_moment_from_bit_m"),
+        );
+        let there = at_rest
+            .iter()
+            .find(|[distance, _]| (distance - from_bit).abs() < 1e-6);
+        let [_, expected] = there.unwrap_or_else(|| panic!("{from_bit} is no node"));
+        assert!(
+            (moment / expected - 1.0).abs() < 1e-6,
+            "{moment} {expected}"
+        );
+        // Places a metre apart.
+        let most = greatest("greatest_moment_knm");
+        assert!(
+            moment <= most + 1e-9 && moment > 0.98 * most,
+            "{moment} {most}"
+        );
+        let bending = row("bending_stress_peak_mpa");
+        let most = greatest("greatest_bending_stress_mpa");
+        assert!(
+            bending <= most + 1e-9 && bending > 0.98 * most,
+            "{bending} {most}"
+        );
+        let amplitude = row("bending_stress_amplitude_mpa");
+        assert!(
+            (amplitude / bending - 1.0).abs() < 1e-3,
+            "{amplitude} {bending}"
+        );
+        let von_mises = row("von_mises_peak_mpa");
+        let most = greatest("greatest_von_mises_mpa");
+        assert!(
+            von_mises >= bending && von_mises <= most + 1e-9,
+            "{von_mises} {most}"
+        );
+    }
+}
+
+/// Where elements are stepped, for there are many sites, they are stepped once more.
+#[test]
+fn moments_of_elements_that_are_stepped_are_those_of_another_method() {
+    let text = LYING
+        .replace(
+            "sites = \"ends\"",
+            "sites = \"all\"\nsites_every_m = 1.5\nstress_every_m = 2",
+        )
+        .replace("time_s = 1\n", "time_s = 6\n")
+        .replace(
+            "[\"finite-element\"]",
+            "[\"quadrature\", \"finite-element\"]",
+        );
+    let rows = rows_of(&Workplace::with_small(&text));
+    let [one, other] = [&rows[0], &rows[1]];
+    for name in [
+        "bending_moment_peak_kn_m",
+        "bending_stress_peak_mpa",
+        "bending_stress_amplitude_mpa",
+        "von_mises_peak_mpa",
+    ] {
+        let apart = (one(name) / other(name) - 1.0).abs();
+        assert!(apart < 5e-3, "{name}: {} {}", one(name), other(name));
+    }
+    assert_eq!(
+        one("bending_stress_from_bit_m"),
+        other("bending_stress_from_bit_m")
+    );
+}
+
+/// An impulse bends a string that hangs and touches nothing, and leaves it straight.
+#[test]
+fn a_string_that_hangs_is_bent_by_what_pushes_it_alone() {
+    let text = |start: f64| {
+        LYING
+            .replace("inclination_deg = 30\n", "")
+            .replace("friction = 0.3", "friction = 0.3\nstress_every_m = 3")
+            .replace("damping_ns_m2 = 200", "damping_ns_m2 = 3000")
+            .replace("time_s = 1\n", "time_s = 8\n")
+            + &format!("[[impulses]]\ndistance_from_bit_m = 11\namount_ns = 5\nstart_s = {start}\n")
+    };
+    let moments = [1.0, 7.0].map(|start| {
+        let rows = rows_of(&Workplace::with_small(&text(start)));
+        rows[0]("bending_moment_peak_kn_m")
+    });
+    assert!(
+        moments[1] > 0.1 && moments[0] < 1e-2 * moments[1],
+        "{moments:?}"
+    );
 }
 
 /// What begins in steady sliding stays there; what only turns climbs first.
@@ -259,6 +402,30 @@ fn what_does_not_go_with_a_string_that_lies_is_refused_by_its_key() {
             LYING.replace("\"ends\"", "\"ends\"\nshock_g = -1"),
             "wall.shock_g",
             "g",
+        ),
+        (
+            LYING.replace("\"ends\"", "\"ends\"\nstress_every_m = 0.01"),
+            "wall.stress_every_m",
+            "m",
+        ),
+        (
+            LYING
+                .replace("repeat = 6", "repeat = 60")
+                .replace("\"ends\"", "\"ends\"\nstress_every_m = 0.5"),
+            "wall.stress_every_m",
+            "at most 500",
+        ),
+        (
+            LYING.replace("sites = \"ends\"", "stress_every_m = 5"),
+            "wall.stress_every_m",
+            "needs a site above the bit",
+        ),
+        (
+            LYING.replace("surface_speed_rpm = 60\n", "")
+                + DESIGN
+                + "surface_speed_rpm = { values = [60, 90] }\n[map]\ncolour = \"von_mises_peak_mpa\"\n",
+            "map.colour",
+            "stress_every_m",
         ),
         (
             LYING.replace("finite-element", "hilbert"),

@@ -347,7 +347,7 @@ impl<'a> OfString<'a> {
         let system = match built {
             Some(built) => built,
             None => {
-                let recipe = Recipe::of(self.sweep, setting, method, longest);
+                let recipe = Recipe::of(self.sweep, setting, method, longest).for_labels();
                 alone = recipe.build().ok()?;
                 &alone
             }

@@ -24,9 +24,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use thiserror::Error;
 
-/// Bytes of a real and of a complex number.
+/// Bytes of a real number.
 pub const REAL: f64 = 8.0;
-pub(crate) const COMPLEX: f64 = 16.0;
+/// Bytes of a complex number.
+pub const COMPLEX: f64 = 16.0;
 
 /// What memory is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

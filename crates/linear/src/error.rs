@@ -262,6 +262,9 @@ pub enum BuildError {
         /// The channel.
         channel: Channel,
     },
+    /// Moments are asked for without bending.
+    #[error("bending moments need a request of bending")]
+    NoBending,
     /// The rod of axial motion is not that of the string.
     #[error("the rod of axial motion is not that of the string")]
     RodOfAnother,

@@ -53,6 +53,8 @@
 //! | the string in pieces, for torques at many places | [`cascade`] |
 //! | the well, how the string presses on its wall, and what pulls it | [`well`] |
 //! | buckling, by finite elements | [`bending_modes`] |
+//! | bending moments by forces, of any method | `responses/moments.rs` |
+//! | stress in a tube | [`Stress`] |
 //! | natural frequencies and mode shapes without damping | [`natural_frequencies`] |
 //! | torsional modes with damping and drive | [`modes`] |
 //! | all cores, or the only one of a browser's page | [`parallel`] |
@@ -116,6 +118,7 @@ mod sites;
 mod spans;
 pub mod steady;
 pub mod stepped;
+mod stress;
 mod surroundings;
 mod top_drive;
 #[cfg(test)]
@@ -135,11 +138,13 @@ pub use num_complex::Complex64;
 pub use numerics::fft;
 pub use pulse::RaisedCosine;
 pub use responses::{
-    ChannelRequest, ChannelResponses, Earlier, ImpulseTrains, MarginPlan, Request, ResponsePlan,
-    Responses, SurfaceTorquePlan, responses, surface_torque,
+    ChannelRequest, ChannelResponses, Earlier, ImpulseTrains, MarginPlan, MomentPlan,
+    MomentResponses, Request, ResponsePlan, Responses, SurfaceTorquePlan, responses,
+    surface_torque,
 };
 pub use sites::Sites;
 pub use steady::{GrowingTorque, SteadyMotion};
 pub use stepped::{SteppedPlan, SteppedString};
+pub use stress::Stress;
 pub use surroundings::{AxialForce, Hole, HoleSection, Mud};
 pub use top_drive::TopDrive;

@@ -25,6 +25,17 @@ pub struct Sites {
     springs: Vec<f64>,
 }
 
+/// A string cut at its sites and at other places, some of which may be the same.
+#[derive(Debug, Clone)]
+pub(crate) struct SitesAndPlaces {
+    /// Where it is cut, springs at sites held by them.
+    pub nodes: Sites,
+    /// The sites by their numbers among these, from the surface down.
+    pub sites: Vec<usize>,
+    /// The same of the places.
+    pub places: Vec<usize>,
+}
+
 impl Sites {
     /// Sites at the given distances from the bit (m), in any order; they are
     /// numbered from the surface down, so that the bit, if it is one, is last.
@@ -93,6 +104,40 @@ impl Sites {
             return Err(DrillstringError::Spring { value });
         }
         Ok(Self { springs, ..self })
+    }
+
+    /// The string cut at other places, too, by their distances from the bit (m, from the surface down),
+    /// which nothing holds.
+    pub(crate) fn with_places(
+        &self,
+        string: &Drillstring,
+        places: &[f64],
+    ) -> Result<SitesAndPlaces, DrillstringError> {
+        let same_place = string.same_place();
+        let is_at = |place: f64| move |other: &f64| (other - place).abs() <= same_place;
+        let own = &self.distances_from_bit;
+        let apart = places
+            .iter()
+            .filter(|place| !own.iter().any(is_at(**place)));
+        let all: Vec<f64> = own.iter().chain(apart).copied().collect();
+        let mut nodes = Self::new(string, &all)?;
+        let numbers = |distances: &[f64]| -> Vec<usize> {
+            let all = &nodes.distances_from_bit;
+            let number = |place: &f64| all.iter().position(is_at(*place));
+            distances.iter().filter_map(number).collect()
+        };
+        let (sites, places) = (numbers(own), numbers(places));
+        if !self.springs.is_empty() {
+            nodes.springs = vec![0.0; nodes.len()];
+            for (site, spring) in sites.iter().zip(&self.springs) {
+                nodes.springs[*site] = *spring;
+            }
+        }
+        Ok(SitesAndPlaces {
+            nodes,
+            sites,
+            places,
+        })
     }
 
     /// Stiffness of the spring at each site, N/m; nothing where there are none.

@@ -78,6 +78,31 @@ impl Outcome {
                 measures.set_item("shocks_per_s", shocks.shocks_per_second)?;
             }
         }
+        if let Some(stress) = self.0.stress {
+            for (name, place, peak) in [
+                (
+                    "bending_moment_peak_nm",
+                    Some("bending_moment_from_bit_m"),
+                    stress.moment,
+                ),
+                (
+                    "bending_stress_peak_pa",
+                    Some("bending_stress_from_bit_m"),
+                    stress.bending,
+                ),
+                ("bending_stress_amplitude_pa", None, stress.amplitude),
+                (
+                    "von_mises_peak_pa",
+                    Some("von_mises_from_bit_m"),
+                    stress.von_mises,
+                ),
+            ] {
+                measures.set_item(name, peak.value)?;
+                if let Some(place) = place {
+                    measures.set_item(place, peak.from_bit)?;
+                }
+            }
+        }
         Ok(measures)
     }
 

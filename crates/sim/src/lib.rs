@@ -38,6 +38,7 @@
 //! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`watch::torsion`] |
+//! | bending moments after a case, by the forces of it; stress | [`BendingMoments`], [`StressMeasures`] |
 //! | Section 5.2.2: transient contact or whirl | [`watch::lateral`], its bound in [`steady_whirl`] |
 //! | Section 5: what a case is, and what disturbs it | [`scene`], [`excitation`] |
 //! | one case from rest to its label | [`simulator`], [`Outcome`], [`trajectory`] |
@@ -78,6 +79,7 @@
 //! ```
 
 mod axial_motion;
+mod bending_moments;
 pub mod convolution;
 mod coupling;
 pub mod diagnosis;
@@ -111,6 +113,7 @@ pub mod watch;
 mod wavering;
 mod words;
 
+pub use bending_moments::BendingMoments;
 pub use error::SimulationError;
 pub use excitation::{EccentricMass, Impulse};
 pub use label::{Label, Labels};
@@ -145,5 +148,6 @@ pub use watch::along::StringTorque;
 pub use watch::axial::{AxialMeasures, AxialRegime};
 pub use watch::lateral::{LateralMeasures, LateralRegime, LyingMeasures};
 pub use watch::shocks::ShockMeasures;
+pub use watch::stress::{Peak, StressMeasures, StressedPlace};
 pub use watch::surface::SurfaceMeasures;
 pub use watch::torsion::{TorsionMeasures, TorsionRegime};

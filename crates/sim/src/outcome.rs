@@ -8,6 +8,7 @@ use crate::motion::{Motion, PerMotion};
 use crate::watch::along::StringTorque;
 use crate::watch::axial::AxialMeasures;
 use crate::watch::lateral::LateralMeasures;
+use crate::watch::stress::StressMeasures;
 use crate::watch::surface::SurfaceMeasures;
 use crate::watch::torsion::TorsionMeasures;
 use crate::words::with_words;
@@ -93,6 +94,9 @@ pub struct Outcome {
     /// The greatest torque along the string, where that is followed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub string_torque: Option<StringTorque>,
+    /// How the string was bent and stressed, where that is found.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stress: Option<StressMeasures>,
 }
 
 impl Outcome {

@@ -12,7 +12,7 @@
 //! | the string as elements, its loads and couples | `beam.rs` |
 //! | contact, rigid and Hertzian, with and without sliding friction | [`Contact`], `equilibrium.rs`, `wall.rs` |
 //! | static states | [`LyingString`], [`StaticState`] |
-//! | stress | [`Stress`] |
+//! | stress | [`linear::Stress`] |
 //! | equations of a single span and of a straight string, to compare with | [`closed_forms`] |
 //!
 //! What is left out: torque in bending (some newtons), friction along the hole, friction of a
@@ -56,7 +56,6 @@ mod equilibrium;
 mod error;
 mod lying;
 mod state;
-mod stress;
 mod wall;
 
 pub use conditions::{Bit, Conditions, Top};
@@ -65,4 +64,3 @@ pub use course::Course;
 pub use error::StaticsError;
 pub use lying::LyingString;
 pub use state::{ContactState, Place, StaticState};
-pub use stress::Stress;

@@ -6,10 +6,11 @@
 
 use std::f64::consts::{PI, TAU};
 
+use linear::Stress;
+
 use crate::beam::{Beam, Element, shapes, slopes};
 use crate::contact::Contact;
 use crate::equilibrium::Equilibrium;
-use crate::stress::Stress;
 
 /// Parts of an element at whose ends the greatest of what varies along it is looked for.
 const PARTS: usize = 8;

@@ -103,6 +103,14 @@ fn no_run_takes_more_memory_than_its_limit() {
     }
     let some = with(&lateral(4, 20.0), "time_s = 12", "time_s = 20");
     holds("run", &by("finite-element", &some));
+    let stressed = |text: &str| with(text, "friction = 1.5", "friction = 1.5\nstress_every_m = 2");
+    for method in ["held", "quadrature", "finite-element"] {
+        holds("run", &by(method, &stressed(&some)));
+    }
+    holds("run", &stressed(&few));
+    // Elements that are stepped.
+    let dense = with(&lateral(45, 2.0), "time_s = 12", "time_s = 60");
+    holds("run", &by("finite-element", &stressed(&dense)));
     let all = r#"["quadrature", "hilbert", "finite-element"]"#;
     holds("run", &with(&some, r#"["quadrature"]"#, all));
 }

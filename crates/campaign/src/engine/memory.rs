@@ -8,6 +8,7 @@ use sim::SurfaceTorque;
 use super::dry_run::ask;
 use super::finding::most_sites;
 use super::finer::finer_frequency;
+use super::stress;
 use super::system_plan::SystemPlan;
 use super::whole_string::whole_string;
 use crate::plan::{Setting, Sweep};
@@ -87,6 +88,9 @@ fn dry_run(sweep: &Sweep, plan: &SystemPlan) -> Result<(Need, f64), BuildError> 
         let request = plan.request();
         SurfaceTorquePlan::new(&plan.setting.string, plan.method, &request)?.ask(&budget.part())?;
         SurfaceTorque::ask(stepping.recorded, stepping.taps, &budget)?;
+    }
+    if sweep.content.measures_stress() {
+        case += stress::ask(plan, &budget)?;
     }
     if finds_surface_torque || stepping.follows_surface {
         case += SurfaceTorque::bytes_of_motion(stepping.taps, plan.steps());

@@ -38,6 +38,7 @@ mod shard;
 mod simulation;
 mod stepped;
 mod stopwatch;
+mod stress;
 mod survey;
 mod system_plan;
 mod systems;

@@ -7,8 +7,8 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_response, largest_undershoot, stick_slip_speed_limit};
 use linear::{ChannelResponses, Method, Responses};
 use sim::{
-    Label, Measures, Motion, Outcome, Scene, SimulationError, Simulator, Stopping, SurfaceTorque,
-    TorsionRegime, Trajectory,
+    Label, Measures, Motion, Outcome, Scene, SimulationError, Simulator, Stopping, StressMeasures,
+    SurfaceTorque, TorsionRegime, Trajectory,
 };
 
 use super::case::Case;
@@ -16,6 +16,7 @@ use super::case_error::CaseError;
 use super::front::{Front, WrongFront};
 use super::instability::{Instability, is_unstable};
 use super::run_options::RunOptions;
+use super::stress::Moments;
 use super::system_plan::SystemPlan;
 use crate::plan::{Setting, Sweep};
 use crate::records::{ByStart, Failure, Record, Verdict, verdict};
@@ -53,6 +54,8 @@ pub struct MethodSystem {
     simulator: Simulator,
     /// What turns the surface, where that is to be known of a string that is not in pieces.
     surface_torque: Option<SurfaceTorque>,
+    /// What bends the string, where that is to be known.
+    moments: Option<Moments>,
     /// The same by steps that are shorter, where labels are certified.
     finer: Option<Box<MethodSystem>>,
 }
@@ -174,13 +177,8 @@ impl MethodSystem {
     /// Where the method does not treat the string.
     pub fn follow_surface(&mut self) -> Result<()> {
         let setting = &self.setting;
-        let plan = SystemPlan {
-            setting,
-            method: &self.method,
-            cuts: false,
-            longest_time: self.responses.longest_time,
-        };
-        let taps = linear::surface_torque(&setting.string, &self.method, &plan.request())?;
+        let request = self.plan().request();
+        let taps = linear::surface_torque(&setting.string, &self.method, &request)?;
         let (profile, inertia) = (&setting.profile, setting.rotor_inertia);
         let torque = SurfaceTorque::new(&self.responses, &taps, profile, inertia)?
             .answering_late(self.setting.drive_delay());
@@ -197,6 +195,37 @@ impl MethodSystem {
                 &case.start_of(&self.setting),
                 motion,
             );
+        }
+    }
+
+    /// Makes it known how the string is bent and stressed, where its setting asks for that.
+    ///
+    /// # Errors
+    /// Where the method does not treat the string.
+    pub fn follow_stress(&mut self) -> Result<()> {
+        self.moments = Moments::of(&self.plan())?;
+        Ok(())
+    }
+
+    /// How a motion bent and stressed the string, where that is to be known.
+    fn stress(
+        &self,
+        case: &Case,
+        motion: &Trajectory,
+    ) -> Result<Option<StressMeasures>, CaseError> {
+        match &self.moments {
+            None => Ok(None),
+            Some(moments) => moments.measures(&self.plan(), case, motion),
+        }
+    }
+
+    /// What it was built from, as far as the string's bending and the surface's torque go.
+    fn plan(&self) -> SystemPlan<'_> {
+        SystemPlan {
+            setting: &self.setting,
+            method: &self.method,
+            cuts: false,
+            longest_time: self.responses.longest_time,
         }
     }
 
@@ -307,6 +336,13 @@ impl MethodSystem {
                 if let Some(torque) = self.surface_torque.as_ref().filter(|_| is_measured) {
                     let window = case.scene.timing.closing_window;
                     outcome.surface = Some(torque.measures(&motion.surface_torque, window));
+                }
+                match self.stress(case, motion) {
+                    Ok(stress) => outcome.stress = stress,
+                    Err(reason) => {
+                        record.outcome = Err(Failure::new(reason));
+                        return record;
+                    }
                 }
                 record.misfits = (sweep.data.comparisons.iter())
                     .map(|comparison| comparison.misfit(motion))

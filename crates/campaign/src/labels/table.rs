@@ -10,11 +10,12 @@ use crate::records::{
 use crate::sweep_file::StartName;
 
 /// Groups before the columns of what cases are held against, and those after.
-const BEFORE_MISFITS: [Group; 6] = [
+const BEFORE_MISFITS: [Group; 7] = [
     Group::Always,
     Group::Cutting,
     Group::Lying,
     Group::Shocks,
+    Group::Stress,
     Group::Surface,
     Group::String,
 ];
@@ -34,6 +35,8 @@ pub struct LabelTable<'a> {
     pub shows_lying: bool,
     /// Whether accelerations are measured.
     pub shows_shocks: bool,
+    /// Whether bending and stress are measured.
+    pub shows_stress: bool,
     /// Whether what turns the surface is followed.
     pub shows_surface: bool,
     /// Whether the torque along the string is followed.
@@ -58,6 +61,7 @@ impl<'a> LabelTable<'a> {
             shows_cutting: sweep.setting.cutting.is_some(),
             shows_lying: shows_lying(sweep),
             shows_shocks: shows_shocks(sweep),
+            shows_stress: sweep.content.measures_stress(),
             shows_surface: shows_surface(sweep),
             shows_string_torque: shows_string_torque(sweep),
             misfits: (sweep.data.comparisons.iter())
@@ -76,6 +80,7 @@ impl<'a> LabelTable<'a> {
             Group::Cutting => self.shows_cutting,
             Group::Lying => self.shows_lying,
             Group::Shocks => self.shows_shocks,
+            Group::Stress => self.shows_stress,
             Group::Surface => self.shows_surface,
             Group::String => self.shows_string_torque,
             Group::Certificate => self.certifying.is_some(),

@@ -12,6 +12,7 @@ use super::contacts::StringInHole;
 use super::finding::{self, Finding};
 use super::impulses::{self, ImpulseSettings};
 use super::sites::Places;
+use super::stress;
 use super::wall::{self, WallSettings};
 use crate::design::Design;
 use crate::quantities::{Axis, StringAxis, WallQuantity};
@@ -38,6 +39,9 @@ pub struct LateralSettings {
     pub finding: Option<Finding>,
     /// The acceleration, m/s², beyond which a shock is counted, where accelerations are measured.
     pub shocks: Option<f64>,
+    /// Where bending and stress are measured, m from the bit, from the surface down; nothing where they
+    /// are not.
+    pub stressed: Vec<f64>,
     /// Impulses.
     pub impulses: Vec<ImpulseSettings>,
     /// Eccentric masses.
@@ -108,6 +112,7 @@ pub fn resolve(
         clearances: clearances(content, in_hole).into(),
         finding: finding::resolve(source, content, in_hole, found)?,
         shocks: shocks(source, content)?,
+        stressed: stress::places(source, content, &places.sites)?,
         impulses,
         eccentric_masses,
     }))

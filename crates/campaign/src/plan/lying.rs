@@ -26,6 +26,18 @@ pub enum LyingStart {
     Sliding(f64),
 }
 
+impl LyingStart {
+    /// The coefficient of friction on each wall, from the surface down.
+    fn frictions(self, walls: &[Wall]) -> Vec<f64> {
+        match self {
+            Self::AtRest => vec![0.0; walls.len()],
+            Self::Sliding(speed) => (walls.iter())
+                .map(|wall| wall.friction_at(wall.radius * speed.abs()).copysign(speed))
+                .collect(),
+        }
+    }
+}
+
 /// What a string lies in.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lying {
@@ -112,18 +124,27 @@ impl Lying {
         walls: &[Wall],
         begins: LyingStart,
     ) -> Result<sim::Lying, StaticsError> {
-        let lying = self.string(at, lateral, (conditions, None))?;
-        let frictions: Vec<f64> = match begins {
-            LyingStart::AtRest => vec![0.0; walls.len()],
-            LyingStart::Sliding(speed) => (walls.iter())
-                .map(|wall| wall.friction_at(wall.radius * speed.abs()).copysign(speed))
-                .collect(),
-        };
-        let state = match begins {
-            LyingStart::AtRest => lying.at_rest()?,
-            LyingStart::Sliding(_) => lying.sliding_with(&frictions)?,
-        };
+        let frictions = begins.frictions(walls);
+        let state = self.state(at, (lateral, conditions), walls, begins)?;
         Ok(as_walls_have_it(&state, walls, &frictions))
+    }
+
+    /// The string as a case finds it.
+    ///
+    /// # Errors
+    /// Where there is no such state.
+    pub fn state(
+        &self,
+        at: (&Drillstring, &Sites),
+        (lateral, conditions): (&LateralSettings, &Conditions),
+        walls: &[Wall],
+        begins: LyingStart,
+    ) -> Result<StaticState, StaticsError> {
+        let lying = self.string(at, lateral, (conditions, None))?;
+        match begins {
+            LyingStart::AtRest => lying.at_rest(),
+            LyingStart::Sliding(_) => lying.sliding_with(&begins.frictions(walls)),
+        }
     }
 
     /// What a string without stiffness in bending presses on the hole with, up to a distance from the

@@ -107,6 +107,10 @@ fn is_measured(
                 .is_some_and(|it| it.shocks.is_some()),
             "accelerations: `[wall] shock_g`",
         ),
+        Needs::Stress => (
+            content.measures_stress(),
+            "bending and stress: `[wall] stress_every_m`",
+        ),
         Needs::SurfaceTorque => (
             content.surface_torque || friction.is_some(),
             "the torque at the surface: `surface_torque = true`",

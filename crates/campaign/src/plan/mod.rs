@@ -31,6 +31,7 @@ mod setting;
 mod sheet;
 mod sites;
 mod start;
+mod stress;
 mod string;
 mod string_friction;
 mod sweep;

@@ -244,7 +244,8 @@ impl Sweep {
 
     /// Whether the motion of every case is kept until its row is known.
     pub fn keeps_motion(&self) -> bool {
-        self.measures_surface_torque() || !self.data.comparisons.is_empty()
+        let compares = !self.data.comparisons.is_empty();
+        self.measures_surface_torque() || self.content.measures_stress() || compares
     }
 
     /// Whether the torque that turns the surface is to be found of motions that are kept.

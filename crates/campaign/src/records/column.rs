@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use sim::{
     AxialMeasures, Label, LateralMeasures, LyingMeasures, Motion, Outcome, ShockMeasures,
-    StringTorque, SurfaceMeasures, TorsionMeasures,
+    StressMeasures, StringTorque, SurfaceMeasures, TorsionMeasures,
 };
 
 use super::field::{Field, Kind};
@@ -23,6 +23,8 @@ pub enum Group {
     Lying,
     /// Accelerations, where they are measured.
     Shocks,
+    /// How the string is bent and stressed, where that is measured.
+    Stress,
     /// Torque at the surface, where that is followed.
     Surface,
     /// The greatest torque along the string, where that is followed.
@@ -54,6 +56,8 @@ pub enum Needs {
     Lying,
     /// Accelerations.
     Shocks,
+    /// Bending and stress.
+    Stress,
 }
 
 /// A column of results.
@@ -171,6 +175,7 @@ impl ResultColumn {
             (Group::String, _) => Some(Needs::StringTorque),
             (Group::Lying, _) => Some(Needs::Lying),
             (Group::Shocks, _) => Some(Needs::Shocks),
+            (Group::Stress, _) => Some(Needs::Stress),
             (_, Some(Motion::Torsion)) => Some(Needs::Bit),
             (_, Some(Motion::Lateral)) => Some(Needs::Wall),
             (_, Some(Motion::Axial)) => Some(Needs::Cutting),
@@ -208,6 +213,10 @@ impl<'a> RecordRow<'a> {
 
     pub(super) fn shocks(&self) -> Option<ShockMeasures> {
         self.lateral().and_then(|lateral| lateral.shocks)
+    }
+
+    pub(super) fn stress(&self) -> Option<StressMeasures> {
+        self.outcome.and_then(|outcome| outcome.stress)
     }
 
     pub(super) fn axial(&self) -> Option<AxialMeasures> {
@@ -256,6 +265,16 @@ pub fn to_g(acceleration: f64) -> f64 {
 /// A newton in kN.
 pub fn to_kn(force: f64) -> f64 {
     1e-3 * force
+}
+
+/// A newton metre in kN m.
+pub fn to_kn_m(moment: f64) -> f64 {
+    1e-3 * moment
+}
+
+/// A pascal in MPa.
+pub fn to_mpa(stress: f64) -> f64 {
+    1e-6 * stress
 }
 
 /// A radian per second in turns per second.

@@ -4,7 +4,8 @@
 use sim::{Label, Motion};
 
 use super::column::{
-    Group, ResultColumn, count, flag, number, text, to_g, to_kn, to_m_h, to_mm, to_rpm, to_turns,
+    Group, ResultColumn, count, flag, number, text, to_g, to_kn, to_kn_m, to_m_h, to_mm, to_mpa,
+    to_rpm, to_turns,
 };
 use super::field::Field;
 use super::verdict::MotionVerdict;
@@ -307,6 +308,67 @@ pub static COLUMNS: &[ResultColumn] = &[
     .of(Motion::Lateral)
     .group(Group::Shocks),
     number(
+        "bending_moment_peak_kn_m",
+        "kN m",
+        "Greatest bending moment in the closing window",
+        |row| row.stress().map(|it| to_kn_m(it.moment.value)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Stress)
+    .measure(),
+    number(
+        "bending_moment_from_bit_m",
+        "m",
+        "Place of the greatest bending moment, from the bit",
+        |row| row.stress().map(|it| it.moment.from_bit).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Stress),
+    number(
+        "bending_stress_peak_mpa",
+        "MPa",
+        "Greatest bending stress in the closing window",
+        |row| row.stress().map(|it| to_mpa(it.bending.value)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Stress)
+    .measure(),
+    number(
+        "bending_stress_amplitude_mpa",
+        "MPa",
+        "Greatest amplitude of bending stress at a point of the turning string",
+        |row| row.stress().map(|it| to_mpa(it.amplitude.value)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Stress)
+    .measure()
+    .severity(),
+    number(
+        "bending_stress_from_bit_m",
+        "m",
+        "Place of the greatest bending stress, from the bit",
+        |row| row.stress().map(|it| it.bending.from_bit).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Stress),
+    number(
+        "von_mises_peak_mpa",
+        "MPa",
+        "Greatest von Mises stress in the closing window",
+        |row| row.stress().map(|it| to_mpa(it.von_mises.value)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Stress)
+    .measure(),
+    number(
+        "von_mises_from_bit_m",
+        "m",
+        "Place of the greatest von Mises stress, from the bit",
+        |row| row.stress().map(|it| it.von_mises.from_bit).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Stress),
+    number(
         "surface_torque_peak_nm",
         "N m",
         "Greatest torque at the surface",
@@ -499,6 +561,7 @@ mod tests {
         for column in COLUMNS.iter().filter(|column| !column.unit.is_empty()) {
             let ending = match column.unit {
                 "N m" => "nm".to_owned(),
+                "kN m" => "kn_m".to_owned(),
                 "m/h" => "m_h".to_owned(),
                 unit => unit.to_lowercase().replace('/', "_per_"),
             };

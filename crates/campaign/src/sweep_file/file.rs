@@ -170,6 +170,11 @@ impl FileContent {
         self.lies_on_low_side() || self.wall.is_some_and(|wall| wall.shock_g.is_some())
     }
 
+    /// Whether bending and stress of the moving string are measured.
+    pub fn measures_stress(&self) -> bool {
+        (self.wall).is_some_and(|wall| wall.stress_every_m.is_some())
+    }
+
     /// Whether the hole decides the clearance where nothing else does.
     pub fn clearance_is_of_hole(&self) -> bool {
         let clearance = self.wall.and_then(|wall| wall.clearance);

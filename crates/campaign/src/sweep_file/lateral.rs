@@ -82,6 +82,11 @@ pub struct WallTable {
     #[schemars(range(min = 0.001, max = 1e5))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shock_g: Option<f64>,
+    /// Measures how the moving string is bent and stressed: at its sites, and between them and the bit at
+    /// places no further apart than this. Left out, neither is measured.
+    #[schemars(range(min = 0.1, max = 2e4))]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stress_every_m: Option<f64>,
     /// At which places the wall may be touched.
     #[schemars(!skip_serializing_if)]
     #[serde(skip_serializing_if = "is_default")]

@@ -10,6 +10,7 @@ use super::nodes::{Nodes, Relation, StiffnessBetween};
 use super::number::Number;
 use super::stiff_beam::StiffBeam;
 use crate::bending::SurfaceSupport;
+use crate::sites::SitesAndPlaces;
 
 /// A piece of beam: seen from its top where it is short, between its ends where its waves
 /// hardly get through.
@@ -105,25 +106,81 @@ fn alone<T: Number>(stiffness: Block<T>) -> BeamStiffness<T> {
 /// of Eq. 57. From the surface down, each piece ends at a node, of which the first `sites`
 /// are sites, held by springs (N/m) or by none; `None` where there is nothing.
 pub fn reduce<T: Number>(
-    mut pieces: impl Iterator<Item = Option<Beam<T>>>,
+    pieces: impl Iterator<Item = Option<Beam<T>>>,
     (sites, springs): (usize, &[f64]),
     support: SurfaceSupport,
 ) -> ResponseMatrix<T> {
+    let nodes = nodes(pieces, springs, support);
+    ResponseMatrix::reciprocal(sites, |site| {
+        nodes
+            .moved_by_load(site)
+            .map(|Block([[displacement, _], _])| displacement)
+    })
+}
+
+/// The nodes between pieces, each held by a spring or by none.
+fn nodes<T: Number>(
+    mut pieces: impl Iterator<Item = Option<Beam<T>>>,
+    springs: &[f64],
+    support: SurfaceSupport,
+) -> Nodes<Block<T>> {
     let uppermost = pieces.next().flatten();
     let above = uppermost.map_or(Block::zero(), |piece| {
         hanging_from(support, &piece.between_ends())
     });
     let pieces: Vec<_> = pieces.collect();
     let zero = T::zero();
-    let nodes = Nodes::held(above, &pieces, |node| {
+    Nodes::held(above, &pieces, |node| {
         let spring = springs.get(node).map_or(zero, |spring| T::real(*spring));
         Block([[spring, zero], [zero, zero]])
-    });
-    ResponseMatrix::reciprocal(sites, |site| {
-        nodes
-            .moved_by_load(site)
-            .map(|Block([[displacement, _], _])| displacement)
     })
+}
+
+/// Bending moment at each of some places (row) per unit force at each site (column), N m/N; of pieces as
+/// in [`reduce`] between the nodes of both, which springs (N/m) hold or none.
+/// It is M = EI x″: with what the piece above opposes to the motion of its lower end, or that below,
+/// the other way round, to the motion of its upper end.
+pub fn moments<T: Number>(
+    pieces: impl Iterator<Item = Option<Beam<T>>>,
+    springs: &[f64],
+    support: SurfaceSupport,
+    SitesAndPlaces { places, sites, .. }: &SitesAndPlaces,
+) -> Vec<T> {
+    let nodes = nodes(pieces, springs, support);
+    let loads = sites;
+    let mut moments = vec![T::zero(); places.len() * loads.len()];
+    // Forces at a place or above it.
+    for (column, &load) in loads.iter().enumerate() {
+        let Block([[shift, _], [slope, _]]) = nodes.own(load);
+        let (mut moved, mut reached) = ([shift, slope], load);
+        let not_above = places.partition_point(|place| *place < load);
+        for (row, &place) in places.iter().enumerate().skip(not_above) {
+            while reached < place {
+                reached += 1;
+                moved = times(nodes.carried(reached), moved);
+            }
+            let Block([_, [by_shift, by_slope]]) = nodes.below(place);
+            moments[row * loads.len() + column] = -(by_shift * moved[0] + by_slope * moved[1]);
+        }
+    }
+    // Forces below it: what they move there, loads there would move here (reciprocity).
+    for (row, &place) in places.iter().enumerate() {
+        let Block([_, opposed]) = nodes.above(place);
+        let (mut moved, mut reached) = (times(nodes.own(place), opposed), place);
+        let not_below = loads.partition_point(|load| *load <= place);
+        for (column, &load) in loads.iter().enumerate().skip(not_below) {
+            while reached < load {
+                reached += 1;
+                moved = times(nodes.carried(reached), moved);
+            }
+            moments[row * loads.len() + column] = moved[0];
+        }
+    }
+    moments
+}
+
+fn times<T: Number>(Block([[a, b], [c, d]]): Block<T>, [x, y]: [T; 2]) -> [T; 2] {
+    [a * x + b * y, c * x + d * y]
 }
 
 /// The stiffness at the bottom of a piece whose top the surface holds.

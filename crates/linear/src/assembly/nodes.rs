@@ -94,6 +94,9 @@ pub struct Nodes<K> {
     /// The motion of each by that of the node above, no load acting from it down; of the
     /// first, nothing.
     carried: Vec<K>,
+    /// What all that is above each has to oppose to it, and all that is below.
+    above: Vec<K>,
+    below: Vec<K>,
 }
 
 impl<K: Relation> Nodes<K> {
@@ -112,13 +115,41 @@ impl<K: Relation> Nodes<K> {
             carried[node + 1] = link.carried(met);
             below[node] = link.above(met);
         }
+        let mut all_above = vec![above];
         let mut above = above + by(0);
         let mut own = vec![(above + below[0]).inverse()];
         for (node, (link, below)) in links.iter().zip(&below[1..]).enumerate() {
-            above = link.below(above) + by(node + 1);
+            let hangs_from = link.below(above);
+            above = hangs_from + by(node + 1);
             own.push((above + *below).inverse());
+            all_above.push(hangs_from);
         }
-        Self { own, carried }
+        Self {
+            own,
+            carried,
+            above: all_above,
+            below,
+        }
+    }
+
+    /// What all that is above a node has to oppose to it, without what holds it.
+    pub fn above(&self, node: usize) -> K {
+        self.above[node]
+    }
+
+    /// The same of all that is below it.
+    pub fn below(&self, node: usize) -> K {
+        self.below[node]
+    }
+
+    /// The motion of a node by a load at itself.
+    pub fn own(&self, node: usize) -> K {
+        self.own[node]
+    }
+
+    /// The motion of a node, not the first, by that of the node above, no load acting from it down.
+    pub fn carried(&self, node: usize) -> K {
+        self.carried[node]
     }
 
     /// Motions by a load at a node, of that node and of those below it.

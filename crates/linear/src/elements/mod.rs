@@ -5,6 +5,7 @@
 pub(crate) mod beam;
 pub(crate) mod fading;
 pub(crate) mod mesh;
+mod moments;
 pub mod newmark;
 pub mod reconstruction;
 pub(crate) mod recurrence;

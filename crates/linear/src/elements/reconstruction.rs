@@ -29,8 +29,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::mesh::most_elements;
-use super::stepped::{self, SteppedChannel, assembled_bytes};
+use super::mesh::{Mesh, most_elements};
+use super::stepped::{self, SteppedChannel, SteppedMotion, assembled_bytes};
 use crate::bending::{Bending, SurfaceSupport};
 use crate::budget::{Need, REAL};
 use crate::drillstring::Drillstring;
@@ -69,9 +69,14 @@ pub struct WholeString<'a> {
 impl WholeString<'_> {
     /// Memory that a reconstruction takes which keeps a number of shapes.
     pub fn need(&self, shapes: usize) -> Need {
+        self.need_with(0, shapes)
+    }
+
+    /// The same with nodes at a number of places, too.
+    pub(super) fn need_with(&self, places: usize, shapes: usize) -> Need {
         let cells = self.parameters.elements_per_cell;
-        let nodes = most_elements(self.string, self.sites, cells) + 1.0;
-        let beam = SteppedChannel::<2, 2>::bytes(self.string, nodes, self.sites.len());
+        let nodes = most_elements(self.string, self.sites, cells) + 1.0 + places as f64;
+        let beam = SteppedChannel::<2, 2>::bytes(self.string, nodes, self.sites.len() + places);
         let motion = SteppedChannel::<2, 2>::motion_bytes(self.string, nodes);
         // Depths, peaks, and x and y of each shape.
         let kept = REAL * nodes * (2.0 + 2.0 * shapes as f64);
@@ -93,50 +98,73 @@ impl WholeString<'_> {
         forces: &[Vec<Vec<f64>>; 2],
         snapshots: &[usize],
     ) -> Result<Reconstruction, BuildError> {
-        let sites = self.sites.len();
-        let steps = forces[0].first().map_or(0, Vec::len);
-        let fits = |axis: &Vec<Vec<f64>>| {
-            axis.len() == sites && axis.iter().all(|forces| forces.len() == steps)
-        };
-        if !forces.iter().all(fits) {
-            return Err(BuildError::Forces);
-        }
-        let (beam, depths) = stepped::bent(
-            self.string,
-            self.bending,
-            self.support,
-            self.sites,
-            &self.parameters,
-            self.sampling_frequency,
-        )?;
+        let (beam, mesh) = self.mesh(self.sites)?;
+        let depths = mesh.depths();
         let mut peaks = vec![0.0; depths.len()];
         let mut shapes = Vec::with_capacity(snapshots.len());
-        let mut motion = beam.rest();
-        let mut now = vec![0.0; 2 * sites];
-        for step in 0..steps {
-            for (now, forces) in now.iter_mut().zip(forces.iter().flatten()) {
-                *now = forces[step];
-            }
-            beam.load(&mut motion, &now);
+        let sites: Vec<usize> = (0..self.sites.len()).collect();
+        self.step_through((&beam, &sites), forces, |step, motion| {
             for (node, peak) in peaks.iter_mut().enumerate() {
-                let [x, y] = beam.seen_at(&motion, node);
+                let [x, y] = beam.seen_at(motion, node);
                 *peak = f64::max(*peak, x.hypot(y));
             }
             if snapshots.contains(&step) {
                 let along = |axis: usize| {
                     let nodes = 0..depths.len();
-                    nodes
-                        .map(|node| beam.seen_at(&motion, node)[axis])
-                        .collect()
+                    nodes.map(|node| beam.seen_at(motion, node)[axis]).collect()
                 };
                 shapes.push([along(0), along(1)]);
             }
-            beam.advance(&mut motion);
-        }
+        })?;
         Ok(Reconstruction {
             depths,
             peaks,
             shapes,
         })
+    }
+
+    /// Its elements with nodes at some sites.
+    pub(super) fn mesh(&self, sites: &Sites) -> Result<(SteppedChannel<2, 2>, Mesh), BuildError> {
+        stepped::bent(
+            self.string,
+            self.bending,
+            self.support,
+            sites,
+            &self.parameters,
+            self.sampling_frequency,
+        )
+    }
+
+    /// Steps elements through forces at some of their sites, by number, and shows each step once
+    /// these act.
+    ///
+    /// # Errors
+    /// Where the forces do not fit the sites.
+    pub(super) fn step_through(
+        &self,
+        (beam, sites): (&SteppedChannel<2, 2>, &[usize]),
+        forces: &[Vec<Vec<f64>>; 2],
+        mut each: impl FnMut(usize, &SteppedMotion<2, 2>),
+    ) -> Result<(), BuildError> {
+        let steps = forces[0].first().map_or(0, Vec::len);
+        let fits = |axis: &Vec<Vec<f64>>| {
+            axis.len() == sites.len() && axis.iter().all(|forces| forces.len() == steps)
+        };
+        if !forces.iter().all(fits) {
+            return Err(BuildError::Forces);
+        }
+        let mut motion = beam.rest();
+        let mut now = vec![0.0; 2 * beam.sites()];
+        for step in 0..steps {
+            for (now, forces) in now.chunks_exact_mut(beam.sites()).zip(forces) {
+                for (site, forces) in sites.iter().zip(forces) {
+                    now[*site] = forces[step];
+                }
+            }
+            beam.load(&mut motion, &now);
+            each(step, &motion);
+            beam.advance(&mut motion);
+        }
+        Ok(())
     }
 }

@@ -28,7 +28,7 @@ use crate::distributed_loss::{LossAlong, tubes};
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 use crate::loss::Fit;
-use crate::sites::Sites;
+use crate::sites::{Sites, SitesAndPlaces};
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 
@@ -107,9 +107,30 @@ impl<'a> ElementChain<'a> {
         support: SurfaceSupport,
         zeta: T,
     ) -> ResponseMatrix<T> {
+        let sites = (self.sites, self.springs.as_slice());
+        bending::reduce(self.beams(bending, zeta), sites, support)
+    }
+
+    /// In bending: moments at some places (row) from forces at the sites (column), N m/N, of a string
+    /// cut at both, as its elements are in equilibrium.
+    pub fn moments<T: Number>(
+        &self,
+        bending: &Bending,
+        support: SurfaceSupport,
+        zeta: T,
+        cut: &SitesAndPlaces,
+    ) -> Vec<T> {
+        bending::moments(self.beams(bending, zeta), &self.springs, support, cut)
+    }
+
+    fn beams<T: Number>(
+        &self,
+        bending: &Bending,
+        zeta: T,
+    ) -> impl Iterator<Item = Option<Beam<T>>> {
         let rates = Rates::at(&self.weights, zeta);
         let loss = self.loss.at(|| rates.trapezoidal);
-        let tube = |around: Surroundings, tube: &Tube| {
+        let tube = move |around: Surroundings, tube: &Tube| {
             let (count, element) = divided(tube, self.longest);
             // The mass that is moved aside however fast is mass to the scheme as well.
             let mass = self.string.mass_sideways(tube, around.hole_radius);
@@ -117,8 +138,7 @@ impl<'a> ElementChain<'a> {
             let element = beam_element(&bending.under(around.tension), &element, mass, rates, loss);
             Beam::of(element).repeated(count)
         };
-        let sites = (self.sites, self.springs.as_slice());
-        bending::reduce(chain::hanging(&self.spans, tube), sites, support)
+        chain::hanging(&self.spans, tube)
     }
 }
 

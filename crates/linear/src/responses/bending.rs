@@ -21,6 +21,7 @@ use crate::filters::quadrature::{Formula, Sampling};
 use crate::filters::{Buffers, direct, held, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::{Ending, Reciprocity};
+use crate::sites::{Sites, SitesAndPlaces};
 use crate::waves::lateral::BendingNetwork;
 
 /// Lateral responses before they are built.
@@ -31,11 +32,22 @@ pub(super) struct BendingPlan<'a> {
     request: &'a Request,
     bending: &'a Bending,
     support: SurfaceSupport,
+    wanted: Wanted,
+    /// Whose displacements are made, where these are wanted.
     pairs: Vec<Pair>,
     /// Taps of each response.
     taps: usize,
     /// Of what they are made of.
     buffers: Buffers,
+}
+
+/// What is wanted of a string that bends.
+#[derive(Debug, Clone)]
+pub(super) enum Wanted {
+    /// Displacements of all sites of the request from forces there.
+    Displacements,
+    /// Moments at some places from forces at the sites of the request.
+    Moments(SitesAndPlaces),
 }
 
 impl<'a> BendingPlan<'a> {
@@ -47,8 +59,8 @@ impl<'a> BendingPlan<'a> {
         string: &'a Drillstring,
         method: &'a Method,
         request: &'a Request,
-        bending: &'a Bending,
-        support: SurfaceSupport,
+        (bending, support): (&'a Bending, SurfaceSupport),
+        wanted: Wanted,
     ) -> Result<Self, BuildError> {
         bending.check()?;
         let needed = needed_taps(request.longest_time, request.sampling_frequency);
@@ -56,7 +68,11 @@ impl<'a> BendingPlan<'a> {
             return Err(too_many(needed));
         }
         let pairs = pairs(method, request.sites.len());
-        let (taps, channels) = (needed as usize, pairs.len());
+        let channels = match &wanted {
+            Wanted::Displacements => pairs.len(),
+            Wanted::Moments(cut) => cut.places.len() * request.sites.len(),
+        };
+        let taps = needed as usize;
         let buffers = match method {
             Method::Held => held::smooth_buffers(taps, channels),
             Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
@@ -80,6 +96,7 @@ impl<'a> BendingPlan<'a> {
             request,
             bending,
             support,
+            wanted,
             pairs,
             taps,
             buffers,
@@ -93,10 +110,13 @@ impl<'a> BendingPlan<'a> {
 
     /// What building takes.
     pub(super) fn need(&self) -> Need {
-        let made = self
-            .buffers
-            .need(working_bytes(self.request.sites.len(), 4));
-        let kept = REAL * (self.request.sites.len().pow(2) * self.taps) as f64;
+        let sites = self.request.sites.len();
+        let (responses, nodes) = match &self.wanted {
+            Wanted::Displacements => (sites * sites, sites),
+            Wanted::Moments(cut) => (cut.places.len() * sites, cut.nodes.len()),
+        };
+        let made = self.buffers.need(working_bytes(nodes, 4));
+        let kept = REAL * (responses * self.taps) as f64;
         match self.method {
             Method::Held | Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
                 Need {
@@ -119,7 +139,6 @@ impl<'a> BendingPlan<'a> {
     pub(super) fn build(&self, budget: &Budget) -> Result<ChannelResponses, BuildError> {
         let working = budget.begin(self.need(), What::Responses)?;
         let taps = self.taps_of_pairs()?;
-        all_finite(&taps, self.method)?;
         working.done();
         let sites = self.request.sites.len();
         Ok(ChannelResponses {
@@ -151,26 +170,44 @@ impl<'a> BendingPlan<'a> {
         }
     }
 
-    /// Responses by pair of sites.
-    fn taps_of_pairs(&self) -> Result<Vec<Vec<f64>>, BuildError> {
+    /// Responses by pair of sites, or of the moment at each place from each force.
+    ///
+    /// # Errors
+    /// Where they are not finite.
+    pub(super) fn taps_of_pairs(&self) -> Result<Vec<Vec<f64>>, BuildError> {
+        let taps = self.made_taps()?;
+        all_finite(&taps, self.method)?;
+        Ok(taps)
+    }
+
+    /// Where the string is cut.
+    fn nodes(&self) -> &Sites {
+        match &self.wanted {
+            Wanted::Displacements => &self.request.sites,
+            Wanted::Moments(cut) => &cut.nodes,
+        }
+    }
+
+    fn made_taps(&self) -> Result<Vec<Vec<f64>>, BuildError> {
         let (bending, support, request) = (self.bending, self.support, self.request);
-        let network = BendingNetwork::new(self.string, *bending, support, &request.sites)?;
+        let network = BendingNetwork::new(self.string, *bending, support, self.nodes())?;
         let (frequency, needed, count) =
             (request.sampling_frequency, self.taps, self.buffers.channels);
-        let displacement = |s: Lanes, responses: &mut [Lanes]| {
-            self.write_pairs(&network.receptance(s), responses);
+        let answer = |s: Lanes, responses: &mut [Lanes]| match &self.wanted {
+            Wanted::Displacements => self.write_pairs(&network.receptance(s), responses),
+            Wanted::Moments(cut) => responses.copy_from_slice(&network.moments(s, cut)),
         };
         let by_formula = |formula: Formula| {
             let sampling = Sampling::Close;
-            quadrature::taps(formula, frequency, needed, count, sampling, &displacement)
+            quadrature::taps(formula, frequency, needed, count, sampling, &answer)
         };
         let velocity = |s: Lanes, responses: &mut [Lanes]| {
-            self.write_pairs(&network.receptance(s), responses);
-            for (response, pair) in responses.iter_mut().zip(&self.pairs) {
-                let receptance = *response;
+            answer(s, responses);
+            for (pair, response) in responses.iter_mut().enumerate() {
+                let answer = *response;
                 *response = Lanes::of_lanes(|lane| match s.lane(lane) {
-                    Complex64::ZERO => self.rigid(*pair).into(),
-                    s => s * receptance.lane(lane),
+                    Complex64::ZERO => self.rigid(pair).into(),
+                    s => s * answer.lane(lane),
                 });
             }
         };
@@ -193,10 +230,15 @@ impl<'a> BendingPlan<'a> {
         })
     }
 
-    /// The velocity response at zero frequency of a pair of sites, where the string moves as a rigid rod against its dashpots: translation and rotation where the
-    /// surface is free, rotation alone where it is pinned, nothing where it is clamped. An
-    /// axial force does not let it turn for ever.
-    fn rigid(&self, (output, input): Pair) -> f64 {
+    /// The velocity response at zero frequency, where the string moves as a rigid rod against its
+    /// dashpots: translation and rotation where the surface is free, rotation alone where it is
+    /// pinned, nothing where it is clamped. An axial force does not let it turn for ever.
+    fn rigid(&self, response: usize) -> f64 {
+        if let Wanted::Moments(_) = self.wanted {
+            // That bends nothing.
+            return 0.0;
+        }
+        let (output, input) = self.pairs[response];
         let (length, distances) = (
             self.string.length(),
             self.request.sites.distances_from_bit(),
@@ -225,21 +267,23 @@ impl<'a> BendingPlan<'a> {
         let chain = ElementChain::new(
             self.string,
             Channel::Bending,
-            &request.sites,
+            self.nodes(),
             parameters.elements_per_cell,
             Weights::new(parameters, request.sampling_frequency)?,
         )?;
-        let receptance = |zeta: Lanes, responses: &mut [Lanes]| {
-            let receptance = chain.receptance(self.bending, self.support, zeta);
-            self.write_pairs(&receptance, responses);
+        let (bending, support) = (self.bending, self.support);
+        let answer = |zeta: Lanes, responses: &mut [Lanes]| match &self.wanted {
+            Wanted::Displacements => {
+                let receptance = chain.receptance(bending, support, zeta);
+                self.write_pairs(&receptance, responses);
+            }
+            Wanted::Moments(cut) => {
+                let moments = chain.moments(bending, support, zeta, cut);
+                responses.copy_from_slice(&moments);
+            }
         };
         let (taps, count) = (self.taps, self.buffers.channels);
-        Ok(quadrature::series(
-            taps,
-            count,
-            Sampling::Close,
-            &receptance,
-        ))
+        Ok(quadrature::series(taps, count, Sampling::Close, &answer))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Responses before they are built: their lengths, and the memory that they ask for.
 
-use super::bending::BendingPlan;
+use super::bending::{self, BendingPlan};
 use super::channels::{ChannelResponses, Responses};
 use super::earlier::Earlier;
 use super::request::{ChannelRequest, Request};
@@ -94,7 +94,8 @@ impl<'a> ResponsePlan<'a> {
                     TorsionPlan::new(rod, method, request, wanted, None).map(ChannelPlan::Rod)
                 }
                 (None, ChannelRequest::Bending { bending, support }) => {
-                    BendingPlan::new(string, method, request, bending, *support)
+                    let (bends, wanted) = ((bending, *support), bending::Wanted::Displacements);
+                    BendingPlan::new(string, method, request, bends, wanted)
                         .map(ChannelPlan::Bending)
                 }
             }

@@ -21,7 +21,7 @@
 use num_complex::Complex64;
 
 use super::bending::{Resistance, endless, uniform};
-use crate::assembly::bending::reduce;
+use crate::assembly::bending::{Beam, moments, reduce};
 use crate::assembly::chain::hanging;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::number::Number;
@@ -30,7 +30,7 @@ use crate::channel::Channel;
 use crate::distributed_loss::{Interpolated, LossAlong};
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::DrillstringError;
-use crate::sites::Sites;
+use crate::sites::{Sites, SitesAndPlaces};
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 
@@ -104,8 +104,18 @@ impl<'a> BendingNetwork<'a> {
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance<T: Number>(&self, s: T) -> ResponseMatrix<T> {
+        reduce(self.pieces(s), (self.sites, &self.springs), self.support)
+    }
+
+    /// Bending moment at each of some places (row) per unit force at each site (column), N m/N, of a
+    /// string cut at both, at the Laplace variable `s` (rad/s, not zero).
+    pub(crate) fn moments<T: Number>(&self, s: T, cut: &SitesAndPlaces) -> Vec<T> {
+        moments(self.pieces(s), &self.springs, self.support, cut)
+    }
+
+    fn pieces<T: Number>(&self, s: T) -> impl Iterator<Item = Option<Beam<T>>> {
         let loss = self.loss.at(|| s);
-        let tube = |around: Surroundings, tube: &Tube| {
+        let tube = move |around: Surroundings, tube: &Tube| {
             let bending = self.bending.under(around.tension);
             let foundation = match loss.drag_on(tube, around.hole_radius) {
                 None => {
@@ -125,11 +135,7 @@ impl<'a> BendingNetwork<'a> {
             endless(&bending, tube, resistance)
                 .unwrap_or_else(|| uniform(&bending, tube, resistance))
         };
-        reduce(
-            hanging(&self.spans, tube),
-            (self.sites, &self.springs),
-            self.support,
-        )
+        hanging(&self.spans, tube)
     }
 }
 

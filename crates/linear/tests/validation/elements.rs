@@ -3,11 +3,13 @@
 //! nothing but the elements.
 
 use linear::elements::newmark::Weights;
+use linear::elements::reconstruction::WholeString;
 use linear::elements::reduction::{CondensedBeam, CondensedString};
 use linear::method::FiniteElement;
 use linear::{
-    AxialForce, Bending, ChannelRequest, ChannelResponses, Drillstring, Hole, HoleSection, Method,
-    Mud, Request, Responses, Section, Sites, SteppedString, SurfaceSupport, TopDrive,
+    AxialForce, Bending, Budget, ChannelRequest, ChannelResponses, Drillstring, Hole, HoleSection,
+    Method, MomentPlan, Mud, Request, Responses, Section, Sites, SteppedString, SurfaceSupport,
+    TopDrive,
 };
 use problems::academic::{self, tube};
 use proptest::prelude::*;
@@ -274,6 +276,46 @@ fn difference_when_stepped(model: &Model) -> f64 {
     worst
 }
 
+/// The largest difference of moments by taps from those of elements that are stepped, over the largest.
+fn difference_in_moments(model: &Model, places: &[f64]) -> f64 {
+    let (bending, support) = (model.bending, model.support);
+    let request = Request {
+        sites: model.sites.clone(),
+        channels: vec![ChannelRequest::Bending { bending, support }],
+        sampling_frequency: model.sampling_frequency,
+        longest_time: (STEPS - 1) as f64 / model.sampling_frequency,
+    };
+    let method = Method::FiniteElement(model.parameters);
+    let plan = MomentPlan::new(&model.string, &method, &request, places).unwrap();
+    let taps = plan.build(&Budget::unlimited()).unwrap();
+    let whole = WholeString {
+        string: &model.string,
+        bending: &model.bending,
+        support,
+        sites: &model.sites,
+        sampling_frequency: model.sampling_frequency,
+        parameters: model.parameters,
+    };
+    let count = model.sites.len();
+    let largest = taps.from_forces.iter().flatten().map(|taps| peak(taps));
+    let largest = largest.fold(0.0, f64::max);
+    let mut worst: f64 = 0.0;
+    for load in 0..count {
+        let mut forces = [vec![vec![0.0; STEPS]; count], vec![vec![0.0; STEPS]; count]];
+        forces[load % 2][load][0] = 1.0;
+        let stepped = whole.moments(&forces, places, 3).unwrap();
+        for (of_place, stepped) in taps.from_forces.iter().zip(&stepped) {
+            let [driven, still] = [load % 2, 1 - load % 2].map(|axis| &stepped[axis]);
+            assert_eq!(
+                still.iter().fold(0.0, |most: f64, it| most.max(it.abs())),
+                0.0
+            );
+            worst = worst.max(difference(&of_place[load][3..STEPS], driven) / largest);
+        }
+    }
+    worst
+}
+
 /// A mesh that is stepped has the responses of its taps.
 #[test]
 fn val_the_papers_string_stepped_answers_as_its_taps_do() {
@@ -308,6 +350,23 @@ proptest! {
         let [bending, longer] = model.differences_in_bending();
         prop_assert!(bending < 1e-7, "bending: {bending}");
         prop_assert!(longer < 1e-9, "bending, other ζ: {longer}");
+    }
+
+    /// Moments found without a step, and those that keep elements in equilibrium which are stepped:
+    /// at sites, and between them. (Of a string that moves as a rigid rod, rounding bends elements.)
+    #[test]
+    fn val_moments_of_any_string_are_those_of_its_elements_stepped(
+        model in any_model(),
+        parts in prop::collection::vec(0.01..0.99f64, 1..4),
+    ) {
+        let model = Model { support: SurfaceSupport::Clamped, ..model };
+        let at_sites = model.sites.distances_from_bit();
+        let mut places: Vec<f64> = parts.iter().map(|part| part * model.string.length()).collect();
+        places.extend_from_slice(at_sites);
+        places.sort_by(|one, other| other.total_cmp(one));
+        places.dedup_by(|one, other| (*one - *other).abs() < 0.3);
+        let worst = difference_in_moments(&model, &places);
+        prop_assert!(worst < 1e-7, "{worst}");
     }
 
     /// A top drive is stepped with the elements: what it is to them is what it is to their taps.

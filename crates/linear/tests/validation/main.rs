@@ -9,6 +9,7 @@ mod falling_torque;
 mod held;
 mod lengths;
 mod loss;
+mod moments;
 mod natural_frequencies;
 mod quasi_static_twist;
 mod regenerative;

@@ -108,6 +108,7 @@ fn severities_in(tables: &[ResultTables]) -> Vec<Measure> {
         Some(Needs::Cutting) => content.has_cutting(),
         Some(Needs::Lying) => content.lies_on_low_side(),
         Some(Needs::Shocks) => content.measures_shocks(),
+        Some(Needs::Stress) => content.measures_stress(),
         _ => true,
     };
     let is_there = |measure: &Measure| (tables.iter()).all(|it| is_in(measure, &it.manifest.sweep));

@@ -29,6 +29,9 @@ pub struct About {
     /// Whether it has columns of accelerations.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub shows_shocks: bool,
+    /// Whether it has columns of bending and stress.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shows_stress: bool,
     /// Whether it has columns of what turns the surface.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub shows_surface: bool,
@@ -78,6 +81,7 @@ impl About {
             shows_cutting: sweep.setting.cutting.is_some(),
             shows_lying: LabelTable::of(sweep).shows_lying,
             shows_shocks: LabelTable::of(sweep).shows_shocks,
+            shows_stress: LabelTable::of(sweep).shows_stress,
             shows_surface: shows_surface(sweep),
             shows_string_torque: shows_string_torque(sweep),
             misfits: LabelTable::of(sweep)
@@ -102,6 +106,7 @@ impl About {
             shows_cutting: self.shows_cutting,
             shows_lying: self.shows_lying,
             shows_shocks: self.shows_shocks,
+            shows_stress: self.shows_stress,
             shows_surface: self.shows_surface,
             shows_string_torque: self.shows_string_torque,
             misfits: self.misfits.iter().map(String::as_str).collect(),

@@ -239,6 +239,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
             }),
             string_torque: (self.watch.along.as_ref())
                 .map(|along| along.measures(self.system.sites.distances_from_bit())),
+            stress: None,
         }
         .finite()
     }

@@ -8,6 +8,7 @@ pub(crate) mod rubbing;
 pub mod rules;
 pub(crate) mod settling;
 pub(crate) mod shocks;
+pub(crate) mod stress;
 pub mod surface;
 pub(crate) mod swing;
 pub mod torsion;

@@ -4,15 +4,16 @@
 
 use std::f64::consts::{PI, TAU};
 
+use linear::elements::reconstruction::WholeString;
 use linear::method::FiniteElement;
 use linear::steady::rotation;
 use linear::{
-    Bending, ChannelRequest, Drillstring, Hole, HoleSection, Material, Method, Mud, Request,
-    Section, Sites, SurfaceSupport, Tube, responses,
+    Bending, Budget, ChannelRequest, Drillstring, Hole, HoleSection, Material, Method, MomentPlan,
+    Mud, Request, Section, Sites, SurfaceSupport, Tube, responses,
 };
 use sim::{
-    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Lying, LyingMeasures, Scene,
-    Simulator, Start, Stopping, Timing, Trajectory, Wall,
+    BendingMoments, EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Lying,
+    LyingMeasures, Scene, Simulator, Start, Stopping, Timing, Trajectory, Wall,
 };
 
 const LENGTH: f64 = 60.0;
@@ -64,34 +65,39 @@ fn held_by(
     sampling_frequency: f64,
     longest_time: f64,
 ) -> Simulator {
-    let string = string();
+    let request = request(springs, sampling_frequency, longest_time);
+    Simulator::new(&responses(&string(), method, &request).unwrap()).unwrap()
+}
+
+const BENDING: Bending = Bending {
+    youngs_modulus: 206e9,
+    damping: 200.0,
+    compression: 0.0,
+};
+
+/// What its responses are wanted for.
+fn request(springs: &[f64], sampling_frequency: f64, longest_time: f64) -> Request {
     let sites: Vec<f64> = (0..9)
         .map(|site| (f64::from(site) + 0.5) * LENGTH / 9.0)
         .collect();
-    let bending = Bending {
-        youngs_modulus: 206e9,
-        damping: 200.0,
-        compression: 0.0,
-    };
-    let mut places = Sites::new(&string, &sites).unwrap();
+    let mut places = Sites::new(&string(), &sites).unwrap();
     if !springs.is_empty() {
         places = places.held_by(springs.to_vec()).unwrap();
     }
-    let request = Request {
+    Request {
         sites: places,
         channels: vec![
             ChannelRequest::Torsion {
                 torques: (0..9).collect(),
             },
             ChannelRequest::Bending {
-                bending,
+                bending: BENDING,
                 support: SurfaceSupport::Free,
             },
         ],
         sampling_frequency,
         longest_time,
-    };
-    Simulator::new(&responses(&string, method, &request).unwrap()).unwrap()
+    }
 }
 
 /// Where the walls hold it at rest.
@@ -422,4 +428,130 @@ fn val_a_string_at_rest_elsewhere_and_springs_too_stiff_are_refused() {
         let error = refused.unwrap_err().to_string();
         assert!(error.contains(words), "{error}");
     }
+}
+
+/// Where moments are compared, m from the bit: at walls and between them.
+const BENT_AT: [f64; 5] = [55.0, 40.0, 30.0, 26.5, 10.0];
+
+/// What bends it at rest at a wall, q d²/12 of equal spans, N m.
+const BENT_BY: f64 = 1_605.383_434 * (LENGTH / 9.0) * (LENGTH / 9.0) / 12.0;
+
+/// Elements short enough for the waves that matter.
+const MESH: FiniteElement = FiniteElement {
+    elements_per_cell: 54,
+    gamma: 0.52,
+    beta: None,
+};
+
+/// Steps of the last 5 s.
+fn closing(motion: &Trajectory, sampling_frequency: f64) -> usize {
+    motion.times.len() - (5.0 * sampling_frequency) as usize
+}
+
+/// Moments of the last 5 s of a motion by the responses of a method.
+fn moments_by(
+    method: &Method,
+    springs: &[f64],
+    (sampling_frequency, duration): (f64, f64),
+    motion: &Trajectory,
+) -> Vec<[Vec<f64>; 2]> {
+    let (string, request) = (string(), request(springs, sampling_frequency, duration));
+    let plan = MomentPlan::new(&string, method, &request, &BENT_AT).unwrap();
+    let moments = BendingMoments::new(plan.build(&Budget::unlimited()).unwrap()).unwrap();
+    let from = closing(motion, sampling_frequency);
+    moments.of(&motion.forces, from).unwrap()
+}
+
+/// The same by elements that the forces are applied to: of a method's responses they know nothing.
+fn moments_of_elements(sampling_frequency: f64, motion: &Trajectory) -> Vec<[Vec<f64>; 2]> {
+    let string = string();
+    let whole = WholeString {
+        string: &string,
+        bending: &BENDING,
+        support: SurfaceSupport::Free,
+        sites: &request(&[], sampling_frequency, 1.0).sites,
+        sampling_frequency,
+        parameters: MESH,
+    };
+    let from = closing(motion, sampling_frequency);
+    whole.moments(&motion.forces, &BENT_AT, from).unwrap()
+}
+
+/// The greatest and the root mean square of differences of moments, N m, and the greatest moment.
+fn apart(ones: &[[Vec<f64>; 2]], others: &[[Vec<f64>; 2]]) -> [f64; 3] {
+    let all = |moments: &[[Vec<f64>; 2]]| -> Vec<f64> {
+        moments.iter().flatten().flatten().copied().collect()
+    };
+    let greatest = |values: &[f64]| values.iter().fold(0.0, |most: f64, it| most.max(it.abs()));
+    let (ones, others) = (all(ones), all(others));
+    assert_eq!(ones.len(), others.len());
+    let differences = ones.iter().zip(&others).map(|(one, other)| one - other);
+    let differences: Vec<f64> = differences.collect();
+    let squares: f64 = differences.iter().map(|it| it * it).sum();
+    let mean = (squares / ones.len() as f64).sqrt();
+    [greatest(&differences), mean, greatest(&ones)]
+}
+
+fn motion(simulator: &Simulator, scene: &Scene) -> Trajectory {
+    let mut motion = Trajectory::default();
+    simulator
+        .simulate(scene, Stopping::Full, Some(&mut motion))
+        .unwrap();
+    motion
+}
+
+/// Climbing, and shaken by an eccentric mass, by two methods that share no equation, each with its own
+/// motion: over time alike to half a per cent of what bends the string at rest. That is what is left of
+/// waves of hundreds of hertz from the start, which only the damping of the string takes.
+#[test]
+fn val_a_moving_string_is_bent_alike_by_methods_that_share_no_equation() {
+    let frequency = 2000.0;
+    for (name, scene, moves) in [
+        ("climbs", turning(120.0, 0.3, 20.0), 30.0),
+        ("snakes", unbalanced(94.0), 250.0),
+    ] {
+        let duration = scene.timing.duration;
+        let [held, elements] = [Method::Held, Method::FiniteElement(MESH)].map(|method| {
+            let motion = motion(&simulator(&method, frequency, duration), &scene);
+            moments_by(&method, &[], (frequency, duration), &motion)
+        });
+        let [most, mean, greatest] = apart(&held, &elements);
+        assert!(greatest > moves, "{name}: {greatest}");
+        assert!(most < 5e-3 * BENT_BY, "{name}: {most}");
+        assert!(mean < 1e-3 * BENT_BY, "{name}: {mean}");
+    }
+}
+
+/// Rolling round its hole it is bent by sixteen times as much, and no two motions are alike; but by the
+/// same forces it is bent as elements are that know nothing of the responses.
+#[test]
+fn val_a_string_that_whirls_is_bent_by_its_forces_as_elements_are() {
+    let (frequency, duration) = (2000.0, 10.0);
+    let scene = turning(120.0, 0.8, duration);
+    for (method, within) in [
+        (Method::Held, [4e-2, 1e-2]),
+        (Method::FiniteElement(MESH), [1e-7, 1e-8]),
+    ] {
+        let motion = motion(&simulator(&method, frequency, duration), &scene);
+        let own = moments_by(&method, &[], (frequency, duration), &motion);
+        let [most, mean, greatest] = apart(&own, &moments_of_elements(frequency, &motion));
+        assert!(greatest > 12.0 * BENT_BY, "{method:?}: {greatest}");
+        assert!(most < within[0] * greatest, "{method:?}: {most} {greatest}");
+        assert!(mean < within[1] * greatest, "{method:?}: {mean} {greatest}");
+    }
+}
+
+/// The forces on a string that springs hold have those in them, which are taken back; its responses
+/// too.
+#[test]
+fn val_springs_that_are_taken_back_bend_nothing() {
+    let springs = [3e4, 0.0, 1e5, 2e4, 5e5, 0.0, 7e3, 1e5, 4e4];
+    let (method, frequency, duration) = (Method::Quadrature, 1000.0, 6.0);
+    let scene = turning(60.0, 0.3, duration);
+    let [one, other] = [&[][..], &springs].map(|springs| {
+        let motion = motion(&held_by(springs, &method, frequency, duration), &scene);
+        moments_by(&method, springs, (frequency, duration), &motion)
+    });
+    let [most, _, greatest] = apart(&one, &other);
+    assert!(most < 1e-6 * greatest, "{most} {greatest}");
 }

@@ -3,9 +3,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use linear::well::{Station, Survey};
-use linear::{Drillstring, Material, Mud, Section, SurfaceSupport, Tube};
+use linear::{Drillstring, Material, Mud, Section, Stress, SurfaceSupport, Tube};
 use statics::closed_forms::{BeamColumn, buckling, touchdown};
-use statics::{Bit, Conditions, Contact, ContactState, Course, LyingString, Stress, Top};
+use statics::{Bit, Conditions, Contact, ContactState, Course, LyingString, Top};
 
 /// E I, N m².
 pub const RIGIDITY: f64 = 16_976_985.7;

@@ -34,6 +34,8 @@ pub struct Recipe<'a> {
     pub longest_time: f64,
     /// What is there of it already.
     pub basis: Basis<'a>,
+    /// Whether bending and stress are to be known where the setting asks for that.
+    pub measures_stress: bool,
 }
 
 /// What is there of a system before it is built.
@@ -53,6 +55,7 @@ impl<'a> Recipe<'a> {
     pub fn of(sweep: &'a Sweep, setting: &'a Setting, method: Method, longest_time: f64) -> Self {
         Self {
             sweep: Some(sweep),
+            measures_stress: true,
             ..Self::alone(setting, method, sweep.bit.is_some(), longest_time)
         }
     }
@@ -66,6 +69,15 @@ impl<'a> Recipe<'a> {
             cuts,
             longest_time,
             basis: Basis::Nothing,
+            measures_stress: false,
+        }
+    }
+
+    /// The same without bending and stress, which change no label.
+    pub fn for_labels(self) -> Self {
+        Self {
+            measures_stress: false,
+            ..self
         }
     }
 
@@ -126,6 +138,10 @@ impl<'a> Recipe<'a> {
             system.follow_surface().with_context(|| {
                 format!("the torque at the surface by {method} cannot be built")
             })?;
+        }
+        if self.measures_stress {
+            (system.follow_stress())
+                .with_context(|| format!("the bending moments by {method} cannot be built"))?;
         }
         // No impulse is so large: its site cannot reach the wall.
         let is_none = |(_, i0): &(usize, f64)| i0.is_nan() || *i0 > LARGEST_IMPULSE;
@@ -275,6 +291,7 @@ impl MethodSystem {
             undershoot: responses.at_bit().map(largest_undershoot),
             simulator,
             surface_torque: None,
+            moments: None,
             finer: None,
             responses,
         })

@@ -51,6 +51,15 @@ pub(super) struct ChainMotion<const D: usize, const P: usize> {
     remembered: Option<Remembered<D, P>>,
 }
 
+/// A node in a step, by degrees of freedom and planes.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::elements) struct NodeState<const D: usize, const P: usize> {
+    pub(in crate::elements) displacement: Values<D, P>,
+    pub(in crate::elements) acceleration: Values<D, P>,
+    /// What earlier displacements are relaxed into, where the material does.
+    pub(in crate::elements) faded: Values<D, P>,
+}
+
 /// Accelerations of the nodes around a unit load.
 #[derive(Debug, Clone)]
 pub(super) struct Column<const D: usize> {
@@ -262,6 +271,18 @@ impl<const D: usize, const P: usize> ChainMotion<D, P> {
         std::array::from_fn(|plane| {
             node.displacement[0][plane] + gain * node.acceleration[0][plane]
         })
+    }
+
+    /// All of a node in the step, its loads applied.
+    pub fn state(&self, node: usize, weights: &Weights) -> NodeState<D, P> {
+        let (displacement, _) = self.nodes[node].now(weights);
+        let remembered = self.remembered.as_ref();
+        let faded = remembered.map(|it| it.faded(node, self.nodes.len()));
+        NodeState {
+            displacement,
+            acceleration: self.nodes[node].acceleration,
+            faded: faded.unwrap_or([[0.0; P]; D]),
+        }
     }
 
     /// Velocity in the same way.

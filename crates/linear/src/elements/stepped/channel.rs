@@ -1,6 +1,6 @@
 //! A channel of a string that is stepped: loads at the sites in, motion of the sites out.
 
-use super::chain::{Chain, ChainMotion, Column};
+use super::chain::{Chain, ChainMotion, Column, NodeState};
 use crate::drillstring::Drillstring;
 use crate::elements::fading;
 use crate::elements::newmark::{Matrices, Weights};
@@ -144,6 +144,15 @@ impl<const FREEDOMS: usize, const PLANES: usize> SteppedChannel<FREEDOMS, PLANES
             self.advance(&mut motion);
         }
         seen
+    }
+
+    /// All of a node in a step.
+    pub(in crate::elements) fn state_at(
+        &self,
+        motion: &SteppedMotion<FREEDOMS, PLANES>,
+        node: usize,
+    ) -> NodeState<FREEDOMS, PLANES> {
+        motion.0.state(node, &self.weights)
     }
 
     /// Motion of a node in a step, in every plane.

@@ -173,6 +173,16 @@ impl<const D: usize> Memory<D> {
 }
 
 impl<const D: usize, const P: usize> Remembered<D, P> {
+    /// How far earlier displacements of one of a number of nodes are relaxed into.
+    pub fn faded(&self, node: usize, nodes: usize) -> Values<D, P> {
+        let count = self.material.len() / nodes;
+        let mut sum = [[0.0; P]; D];
+        for carried in &self.material[node * count..(node + 1) * count] {
+            add(&mut sum, *carried);
+        }
+        sum
+    }
+
     /// Bytes of a number of nodes, with at most this number of relaxations of drag and of the material.
     pub fn bytes(nodes: f64, [drag, material]: [usize; 2]) -> f64 {
         nodes * (drag * size_of::<[f64; P]>() + material * size_of::<Values<D, P>>()) as f64

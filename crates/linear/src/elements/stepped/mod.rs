@@ -20,6 +20,7 @@ use crate::loss::Relaxation;
 use crate::method::FiniteElement;
 use crate::sites::Sites;
 
+pub(in crate::elements) use chain::NodeState;
 use channel::Seen;
 pub use channel::{SteppedChannel, SteppedMotion};
 
@@ -104,7 +105,7 @@ pub(crate) fn turned(
     Ok((channel, surface))
 }
 
-/// A string in bending, along x and along y, and the depth of each of its nodes, m.
+/// A string in bending, along x and along y, and its mesh.
 ///
 /// # Errors
 /// Where the sites are not the string's, parameters are out of range, or the elements would be
@@ -116,7 +117,7 @@ pub(crate) fn bent(
     sites: &Sites,
     parameters: &FiniteElement,
     sampling_frequency: f64,
-) -> Result<(SteppedChannel<2, 2>, Vec<f64>), BuildError> {
+) -> Result<(SteppedChannel<2, 2>, Mesh), BuildError> {
     let weights = Weights::new(parameters, sampling_frequency)?;
     let mesh = Mesh::new(
         string,
@@ -125,10 +126,10 @@ pub(crate) fn bent(
         parameters.elements_per_cell,
     )?;
     let matrices = beam::assemble(string, bending, support, &mesh)?;
-    let (held, depths) = (support.held(), mesh.depths());
+    let (held, nodes) = (support.held(), mesh.site_nodes.clone());
     let seen = Seen::Displacement;
-    let channel = SteppedChannel::new(&matrices, held, weights, seen, mesh.site_nodes)?;
-    Ok((channel, depths))
+    let channel = SteppedChannel::new(&matrices, held, weights, seen, nodes)?;
+    Ok((channel, mesh))
 }
 
 impl SurfaceElement {

@@ -7,13 +7,12 @@
 //! at its outer surface. With the effective tension T the hydrostatic part of the stress drops out,
 //! exactly so where the pressure is the same inside and outside.
 
-use linear::Tube;
+use crate::drillstring::Tube;
 
 /// Stress at the outer surface of a tube, Pa.
 ///
 /// ```
-/// use linear::Tube;
-/// use statics::Stress;
+/// use linear::{Stress, Tube};
 ///
 /// let collar = Tube { length: 9.0, inner_radius: 0.0357, outer_radius: 0.1016 };
 /// let stress = Stress::new(&collar, -100e3, 50e3, 0.0);

@@ -1,0 +1,135 @@
+//! Bending moments along a string from the forces at its sites, by any method.
+//!
+//! A moment follows from forces as displacements do, M(k) = Σ A(k − n) F(n), so that it may be found
+//! after a simulation, of the forces that were recorded. A force that lasts bends a cantilever at its
+//! tip, whose moment grows straight towards the end that is held:
+//!
+//! ```
+//! use linear::{
+//!     Bending, Budget, ChannelRequest, Drillstring, Material, Method, MomentPlan, Request, Section,
+//!     Sites, SurfaceSupport, Tube,
+//! };
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.06 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 2, parts: vec![pipe] }], 0.0)?;
+//! let bending = Bending { youngs_modulus: 210e9, damping: 80.0, compression: 0.0 };
+//! let request = Request {
+//!     sites: Sites::bit(),
+//!     channels: vec![ChannelRequest::Bending { bending, support: SurfaceSupport::Clamped }],
+//!     sampling_frequency: 200.0,
+//!     longest_time: 20.0,
+//! };
+//! let plan = MomentPlan::new(&string, &Method::Held, &request, &[15.0, 5.0])?;
+//! let moments = plan.build(&Budget::unlimited())?;
+//! for (distance, taps) in moments.places.iter().zip(&moments.from_forces) {
+//!     let lasting: f64 = taps[0].iter().sum();
+//!     assert!((lasting / distance - 1.0).abs() < 1e-4);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use super::bending::{BendingPlan, Wanted};
+use super::request::{ChannelRequest, Request};
+use crate::budget::{Budget, Need, OutOfBudget, What};
+use crate::drillstring::Drillstring;
+use crate::error::BuildError;
+use crate::method::Method;
+use crate::sites::{Sites, SitesAndPlaces};
+
+/// Bending moments by forces, the linear string's own: M = EI u″, positive where the string is bent
+/// towards positive displacements.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MomentResponses {
+    /// Distances of the places from the bit, m, from the surface down.
+    pub places: Vec<f64>,
+    /// `from_forces[place][site]`: taps of the moment at a place from a force at a site, N m/N. By
+    /// methods that hold loads over a step, means over a step.
+    pub from_forces: Vec<Vec<Vec<f64>>>,
+}
+
+/// The same before they are built.
+#[derive(Debug)]
+pub struct MomentPlan<'a> {
+    /// From the surface down.
+    places: Vec<f64>,
+    sites: usize,
+    /// As many places at a time as there are sites: these take the memory at most that
+    /// displacements do.
+    parts: Vec<BendingPlan<'a>>,
+}
+
+impl<'a> MomentPlan<'a> {
+    /// By one method, from forces at the sites of a request, whose bending it says, at places by
+    /// their distances from the bit (m).
+    ///
+    /// # Errors
+    /// Where the request does not bend, there are no places, or two are one, or as
+    /// [`crate::ResponsePlan::new`].
+    pub fn new(
+        string: &'a Drillstring,
+        method: &'a Method,
+        request: &'a Request,
+        places: &[f64],
+    ) -> Result<Self, BuildError> {
+        request.check(string)?;
+        let bends = request.channels.iter().find_map(|channel| match channel {
+            ChannelRequest::Bending { bending, support } => Some((bending, *support)),
+            _ => None,
+        });
+        let bends = bends.ok_or(BuildError::NoBending)?;
+        let places = Sites::new(string, places)?.distances_from_bit().to_vec();
+        // Cut at all places, so that a moment does not depend on which others are found with it.
+        let cut = request.sites.with_places(string, &places)?;
+        let parts = cut.places.chunks(request.sites.len()).map(|places| {
+            let wanted = Wanted::Moments(SitesAndPlaces {
+                places: places.to_vec(),
+                ..cut.clone()
+            });
+            BendingPlan::new(string, method, request, bends, wanted)
+        });
+        Ok(Self {
+            parts: parts.collect::<Result<_, _>>()?,
+            sites: request.sites.len(),
+            places,
+        })
+    }
+
+    /// Taps of each response.
+    pub fn taps(&self) -> usize {
+        self.parts.first().map_or(0, BendingPlan::taps)
+    }
+
+    /// What building takes of a budget.
+    ///
+    /// # Errors
+    /// Where that is more than is left.
+    pub fn ask(&self, budget: &Budget) -> Result<(), OutOfBudget> {
+        budget.pass(self.need(), What::Responses)
+    }
+
+    fn need(&self) -> Need {
+        let each = self.parts.iter().map(BendingPlan::need);
+        each.fold(Need::default(), Need::then)
+    }
+
+    /// Builds the responses.
+    ///
+    /// # Errors
+    /// As [`crate::ResponsePlan::build`].
+    pub fn build(&self, budget: &Budget) -> Result<MomentResponses, BuildError> {
+        let working = budget.begin(self.need(), What::Responses)?;
+        let mut from_forces = Vec::with_capacity(self.places.len());
+        for part in &self.parts {
+            let mut taps = part.taps_of_pairs()?.into_iter().peekable();
+            while taps.peek().is_some() {
+                from_forces.push(taps.by_ref().take(self.sites).collect());
+            }
+        }
+        working.done();
+        Ok(MomentResponses {
+            places: self.places.clone(),
+            from_forces,
+        })
+    }
+}
