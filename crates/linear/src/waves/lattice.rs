@@ -38,7 +38,8 @@ use std::sync::Arc;
 use crate::assembly::chain::Stiffness;
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
-    Drive, DynamicStiffness, TorsionAdmittance, late_in_steps, reduce, torque_at_surface,
+    AtSurface, Drive, DynamicStiffness, TorsionAdmittance, at_surface, late_in_steps, reduce,
+    torque_at_surface,
 };
 use crate::distributed_loss::{Interpolated, LossAlong, LossAt};
 use crate::drillstring::{Drillstring, Section, Tube};
@@ -201,6 +202,18 @@ impl Lattice {
         let waves = self.waves(zeta);
         let drive = self.drive(&waves, zeta);
         reduce(self.pieces(&waves), self.sites, T::real(1.0), drive)
+    }
+
+    /// How the surface moves below its drive; `None` without one.
+    pub(crate) fn at_surface<T: Number>(&self, zeta: T) -> Option<AtSurface<T>> {
+        let waves = self.waves(zeta);
+        let drive = self.drive(&waves, zeta)?;
+        Some(at_surface(
+            self.pieces(&waves),
+            self.sites,
+            T::real(1.0),
+            drive,
+        ))
     }
 
     /// Torque with which the surface has to be turned per unit of the speed that it is set to,
