@@ -47,14 +47,17 @@ pub enum BoundaryError {
 }
 
 /// The limit over the range of the design's axes: of whirl where friction at every site is
-/// one of them, else of stick-slip; without points where neither applies, below a motor, which has
-/// no such limit in closed form, or where other axes give each case its own.
+/// one of them, else of stick-slip; without points where neither applies, below a motor or a drive
+/// whose torque is limited, which have no such limit in closed form, or where other axes give each
+/// case its own.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, BoundaryError> {
     let axes = sweep.design.axes();
-    if sweep.setting.motor.is_some() || !is_one_limit(sweep) {
+    let setting = &sweep.setting;
+    let has_none = setting.motor.is_some() || setting.drive_limit.is_some();
+    if has_none || !is_one_limit(sweep) {
         return Ok(Boundary::StickSlip(Vec::new()));
     }
     if let (Some(lateral), Some(_)) = (

@@ -15,8 +15,8 @@
 //!
 //! By means over a step (`held`) Q is exact at the ends of steps, and within one as if e were straight.
 
-use linear::DrivenSurface;
 use linear::budget::REAL;
+use linear::{DrivenSurface, IntegralRule, TopDrive};
 
 use crate::convolution::Convolution;
 use crate::error::SimulationError;
@@ -38,9 +38,11 @@ const PORTS: usize = 2;
 /// the torque on its bit.
 #[derive(Debug, Clone)]
 pub struct LimitedDrive {
-    surface: DrivenSurface,
+    drive: TopDrive,
     /// N m.
     limit: f64,
+    integral: IntegralRule,
+    sampling: Sampling,
     /// From torques at bit and surface to speeds, without that of the bit from its own.
     from_torques: Channel<1, 1>,
     /// What the drive is set to, and how fast its surface then turns, per unit of the speed of a
@@ -69,7 +71,7 @@ impl LimitedDrive {
     /// Where the limit or the profile is out of range, or no torque could hold the drive within a
     /// step of this length.
     pub fn new(
-        surface: DrivenSurface,
+        surface: &DrivenSurface,
         limit: f64,
         profile: &SurfaceProfile,
     ) -> Result<Self, SimulationError> {
@@ -91,12 +93,14 @@ impl LimitedDrive {
             return Err(SimulationError::DriveTooStiff);
         }
         Ok(Self {
+            drive,
             limit,
+            integral: surface.integral,
+            sampling,
             from_torques: Channel::of_taps(&[vec![&none, to_bit], vec![to_bit, own]]),
             set: SurfaceResponse::new(&[1.0], profile, sampling),
             turned: SurfaceResponse::new(set, profile, sampling),
             opposes,
-            surface,
         })
     }
 
@@ -107,14 +111,12 @@ impl LimitedDrive {
 
     /// By which steps.
     pub(crate) fn sampling(&self) -> Sampling {
-        let surface = &self.surface;
-        let offset = surface.method.collocation_offset();
-        Sampling::new(surface.sampling_frequency, offset)
+        self.sampling
     }
 
     /// At the beginning of a case of a number of steps.
     pub(crate) fn begin(&self, surface_speed: f64, start: &Start, steps: usize) -> DriveMotion<'_> {
-        let drive = self.surface.drive;
+        let drive = self.drive;
         let reference = match start.steady() {
             None => Reference::Rest(surface_speed),
             Some(motion) => {
@@ -216,7 +218,7 @@ impl DriveMotion<'_> {
     /// from the bit (N m).
     #[inline]
     pub(crate) fn find_free_motion(&mut self, step: usize, time: f64, held: f64) {
-        let (drive, rule) = (self.drive, &self.drive.surface.integral);
+        let (drive, rule) = (self.drive, &self.drive.integral);
         let mut speeds = [0.0; PORTS];
         self.past.write_past(&mut speeds);
         let (set, turned) = match self.reference {
@@ -239,7 +241,7 @@ impl DriveMotion<'_> {
 
     /// What the linear drive gives while the surface turns at a speed (rad/s), N m.
     fn linear_torque(&self, speed: f64) -> f64 {
-        let drive = self.drive.surface.drive;
+        let drive = self.drive.drive;
         let now = &self.now;
         now.base + drive.proportional_gain * now.set + drive.integral_gain * now.integral
             - self.drive.opposes * speed
@@ -323,9 +325,9 @@ impl DriveMotion<'_> {
             extra,
             ..
         } = self.now;
-        let drive = self.drive.surface.drive;
+        let drive = self.drive.drive;
         let error = set - speed;
-        let integral = integral - self.drive.surface.integral.of_values[0] * speed;
+        let integral = integral - self.drive.integral.of_values[0] * speed;
         self.errors = [error, self.errors[0]];
         self.integrals = [integral, self.integrals[0]];
         let integral_torque = base + drive.integral_gain * integral;

@@ -351,10 +351,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         };
         let motor = self.motor.as_ref();
         let met = match (self.bit, &self.axial) {
-            (None, None) => match &mut self.drive {
-                None => None,
-                Some(drive) => Some((0, drive.meet(line(0), |line| ((), free_end(line))).1)),
-            },
+            (None, None) => (self.drive.as_mut()).map(|drive| {
+                let (_, end) = drive.meet(line(0), |line| ((), free_end(line)));
+                (0, end)
+            }),
             (Some((law, port)), _) => {
                 let act = |line| meet_bit(law, &self.bit_state, motor, line);
                 let (bit, end) = match &mut self.drive {

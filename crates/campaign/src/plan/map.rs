@@ -108,7 +108,7 @@ fn is_measured(
             "accelerations: `[wall] shock_g`",
         ),
         Needs::SurfaceTorque => (
-            content.surface_torque || friction.is_some(),
+            content.surface_torque || content.follows_surface(),
             "the torque at the surface: `surface_torque = true`",
         ),
         Needs::StringTorque => (
