@@ -7,6 +7,7 @@ mod command_line;
 mod cutting;
 mod documents;
 mod drive_delay;
+mod drive_limit;
 mod export;
 mod lying;
 mod motor;

@@ -50,8 +50,9 @@ pub enum BoundaryError {
 }
 
 /// The limit over the range of the design's axes: of whirl where friction at every site is
-/// one of them, or of a string that lies in its hole; else of stick-slip; without points where neither applies, below a motor, which has
-/// no such limit in closed form, or where other axes give each case its own.
+/// one of them, or of a string that lies in its hole; else of stick-slip; without points where
+/// neither applies, below a motor or a drive whose torque is limited, which have no such limit in
+/// closed form, or where other axes give each case its own.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
@@ -65,7 +66,9 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
     if lies || (is_pushed && sweep.setting.hanging.is_some() && !has_friction) {
         return Ok(Boundary::Lying(lying_points(sweep)));
     }
-    if sweep.setting.motor.is_some() || !is_one_limit(sweep) {
+    let setting = &sweep.setting;
+    let has_none = setting.motor.is_some() || setting.drive_limit.is_some();
+    if has_none || !is_one_limit(sweep) {
         return Ok(Boundary::StickSlip(Vec::new()));
     }
     if let (Some(lateral), true) = (sweep.setting.hanging_sideways(), has_friction) {

@@ -330,6 +330,15 @@ pub enum BuildError {
          finite-element"
     )]
     LateDrive,
+    /// There is no drive whose torque could be limited, or it answers late.
+    #[error("a torque at the surface needs a string below a top drive that answers without delay")]
+    NoPromptDrive,
+    /// A method that makes its taps from frequencies does not say how a drive integrates.
+    #[error("{method} has no drive of limited torque: take held, quadrature or finite-element")]
+    NotStepByStep {
+        /// Name of the method.
+        method: &'static str,
+    },
     /// What a piece does between two nodes does not lead to what the string does.
     #[error("{method} cannot step a string in pieces: take quadrature or finite-element")]
     NotInPieces {

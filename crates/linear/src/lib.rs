@@ -138,9 +138,9 @@ pub use num_complex::Complex64;
 pub use numerics::fft;
 pub use pulse::RaisedCosine;
 pub use responses::{
-    ChannelRequest, ChannelResponses, Earlier, ImpulseTrains, MarginPlan, MomentPlan,
-    MomentResponses, Request, ResponsePlan, Responses, SurfaceTorquePlan, responses,
-    surface_torque,
+    ChannelRequest, ChannelResponses, DrivenSurface, DrivenSurfacePlan, Earlier, ImpulseTrains,
+    IntegralRule, MarginPlan, MomentPlan, MomentResponses, Request, ResponsePlan, Responses,
+    SurfaceTorquePlan, responses, surface_torque,
 };
 pub use sites::Sites;
 pub use steady::{GrowingTorque, SteadyMotion};

@@ -68,6 +68,16 @@ pub enum SimulationError {
         /// The site.
         site: usize,
     },
+    /// A drive of limited torque turns a string on which something else may act than a torque on its
+    /// bit.
+    #[error("a drive of limited torque turns a string on which nothing acts but its bit")]
+    NotAloneBelowDrive,
+    /// Within a step a drive opposes more than all that there is.
+    #[error(
+        "the drive's controller is too stiff for these steps; a higher sampling frequency lets its \
+         torque be limited"
+    )]
+    DriveTooStiff,
     /// The scene has walls, but the responses no bending.
     #[error("the scene has walls, but the responses were built without bending")]
     NoForceInput,

@@ -33,6 +33,7 @@
 //! | Eqs. 16–17, 59–61: history and load lines | [`convolution`], [`stepper`] |
 //! | the same by stepping elements, or pieces | `line/`, [`linear::SteppedString`], [`linear::Cascade`] |
 //! | Eqs. 59–60 at all sites of a step at once | `coupling/` |
+//! | a drive that gives no more than its greatest torque | `limited_drive`, [`LimitedDrive`] |
 //! | friction along the string | [`laws::pipe`], [`Scene`] |
 //! | Sections 2.2.2, 5.2.1: torque at the bit | [`laws::bit`], or as a table [`laws::table`] |
 //! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
@@ -88,6 +89,7 @@ pub mod excitation;
 mod label;
 mod lateral_motion;
 pub mod laws;
+mod limited_drive;
 mod line;
 mod lying;
 mod motion;
@@ -126,6 +128,7 @@ pub use laws::rock::Rock;
 pub use laws::table::TabulatedFriction;
 pub use laws::torque::{LoadLine, TorqueLaw};
 pub use laws::wall::Wall;
+pub use limited_drive::LimitedDrive;
 pub use line::pieces::SurfaceStep;
 pub use lying::Lying;
 pub use motion::{Motion, PerMotion};

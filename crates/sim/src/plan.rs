@@ -32,6 +32,7 @@ use linear::budget::{Budget, Need, OutOfBudget, REAL, What};
 use linear::{ChannelResponses, Responses, SteppedPlan};
 
 use crate::laws::cutting::{CutStep, Face, MOST_PROFILES};
+use crate::limited_drive::LimitedDrive;
 use crate::line::pieces::{Pieces, Sums};
 use crate::line::{Bending, Torsion};
 use crate::shortcuts::BitAlone;
@@ -50,6 +51,8 @@ pub struct SimulatorPlan {
     axial: Option<usize>,
     /// Whether it lies in its hole.
     lies: bool,
+    /// Taps at the surface, where the torque of its drive is limited.
+    limited: Option<usize>,
     steps: f64,
 }
 
@@ -138,6 +141,7 @@ impl SimulatorPlan {
             bending: None,
             axial: None,
             lies: false,
+            limited: None,
             steps,
         }
     }
@@ -164,6 +168,16 @@ impl SimulatorPlan {
     #[must_use]
     pub fn lying(self, lies: bool) -> Self {
         Self { lies, ..self }
+    }
+
+    /// The same below a drive whose torque is limited, by responses of a number of taps at the
+    /// surface.
+    #[must_use]
+    pub fn below_limited(self, taps: usize) -> Self {
+        Self {
+            limited: Some(taps),
+            ..self
+        }
     }
 
     /// What preparing it takes of a budget.
@@ -197,15 +211,16 @@ impl SimulatorPlan {
             .axial
             .map(|taps| Torsion::bytes_of_taps(1, taps) + SurfaceResponse::bytes(taps));
         let alone = self.alone().map(|taps| BitAlone::need(taps, self.steps));
-        Need::lasting(line + bending + along.unwrap_or(0.0)).then(alone.unwrap_or_default())
+        let limited = self.limited.map_or(0.0, LimitedDrive::bytes);
+        Need::lasting(line + bending + along.unwrap_or(0.0) + limited)
+            .then(alone.unwrap_or_default())
     }
 
     /// Taps of the bit, where nothing acts but the torque on it.
     fn alone(&self) -> Option<usize> {
         match self.line {
-            Line::Taps { loads: 1, taps, .. } if self.bending.is_none() && self.axial.is_none() => {
-                Some(taps)
-            }
+            _ if self.bending.is_some() || self.axial.is_some() || self.limited.is_some() => None,
+            Line::Taps { loads: 1, taps, .. } => Some(taps),
             _ => None,
         }
     }
@@ -240,7 +255,11 @@ impl SimulatorPlan {
             true => SwingWatch::bytes(walls),
             false => 0.0,
         };
+        let limited = self
+            .limited
+            .map_or(0.0, |taps| LimitedDrive::case_bytes(taps, steps));
         swings
+            + limited
             + line
             + along.unwrap_or(0.0)
             + bending.unwrap_or(0.0)

@@ -50,6 +50,7 @@ use crate::error::SimulationError;
 use crate::laws::contact::WallLaw;
 use crate::laws::motor::MudMotor;
 use crate::laws::torque::TorqueLaw;
+use crate::limited_drive::LimitedDrive;
 use crate::outcome::{Outcome, Stopping};
 use crate::scene::Scene;
 use crate::shortcuts::BitAlone;
@@ -143,6 +144,19 @@ impl Simulator {
     pub fn above_motor(self, motor: MudMotor) -> Result<Self, SimulationError> {
         Ok(Self {
             system: self.system.above_motor(motor)?,
+            bit_alone: None,
+            ..self
+        })
+    }
+
+    /// The same below a drive whose torque is limited: no step is left out, for those that are
+    /// follow from a string that is linear.
+    ///
+    /// # Errors
+    /// As [`System::below_limited`].
+    pub fn below_limited(self, drive: LimitedDrive) -> Result<Self, SimulationError> {
+        Ok(Self {
+            system: self.system.below_limited(drive)?,
             bit_alone: None,
             ..self
         })

@@ -52,10 +52,11 @@ use crate::lateral_motion::LateralMotion;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
 use crate::laws::cutting::CutStep;
-use crate::laws::motor::MotorMotion;
+use crate::laws::motor::{MotorMotion, StringEnd};
 use crate::laws::pipe::{OnLines, PipeFriction, PipeMotion};
 use crate::laws::torque::{BitMotion, LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
+use crate::limited_drive::DriveMotion;
 use crate::line::pieces::SurfaceStep;
 use crate::line::{Torsion, TorsionPast, Within};
 use crate::port::{PortTorque, Turned, meet_bit, meet_cut};
@@ -80,7 +81,7 @@ pub struct Step<S> {
     pub cut: Option<CutStep>,
     /// How the pipe rubs at each site that a torque may act on; nothing where it rubs nowhere.
     pub rubbing: Vec<PipeMotion>,
-    /// What turns the surface, where the string is in pieces.
+    /// What turns the surface, where the string is in pieces or its drive's torque limited.
     pub surface: Option<SurfaceStep>,
 }
 
@@ -106,6 +107,8 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     axial: Option<(AxialMotion<'a>, usize)>,
     /// What turns the bit against the string's end.
     motor: Option<MotorMotion>,
+    /// What turns the surface, where its torque is limited.
+    drive: Option<DriveMotion<'a>>,
     coupling: Coupling<'a>,
     bit_state: B::State,
     /// How the pipe rubbed in the last step.
@@ -182,6 +185,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         let lateral = (scene.lateral.as_ref())
             .map(|lateral| LateralMotion::new(system, lateral, steps))
             .transpose()?;
+        let drive = system.limited_drive(scene, steps)?;
         let friction = friction(scene, within)?;
         let walls = (scene.lateral.as_ref()).map_or(&[][..], |lateral| &lateral.walls);
         let radii: Vec<f64> = walls.iter().map(WallLaw::radius).collect();
@@ -207,6 +211,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             lateral,
             axial,
             motor,
+            drive,
             coupling,
             bit_state: turned.unwrap_or_default(),
             rubbed: rubbed.clone(),
@@ -286,6 +291,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             }
         }
         self.find_axial_motion();
+        if let Some(drive) = &mut self.drive {
+            drive.find_free_motion(step, self.now.time, self.held);
+        }
     }
 
     /// The same along the axis; a disturbance turns the bit, too.
@@ -343,9 +351,16 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         };
         let motor = self.motor.as_ref();
         let met = match (self.bit, &self.axial) {
-            (None, None) => None,
+            (None, None) => (self.drive.as_mut()).map(|drive| {
+                let (_, end) = drive.meet(line(0), |line| ((), free_end(line)));
+                (0, end)
+            }),
             (Some((law, port)), _) => {
-                let (bit, end) = meet_bit(law, &self.bit_state, motor, line(port));
+                let act = |line| meet_bit(law, &self.bit_state, motor, line);
+                let (bit, end) = match &mut self.drive {
+                    None => act(line(port)),
+                    Some(drive) => drive.meet(line(port), act),
+                };
                 self.now.bit = Some(bit);
                 Some((port, end))
             }
@@ -481,13 +496,16 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         };
         let speeds = steady.map(|motion| motion.speeds.as_slice());
         (self.torsion).end_step(self.next, &self.step_torques, (&self.now.speeds, speeds));
-        self.now.surface = self.torsion.surface().map(|surface| match steady {
+        let of_line = self.torsion.surface().map(|surface| match steady {
             None => surface,
             Some(motion) => SurfaceStep {
                 speed: surface.speed + self.scene.surface_speed,
                 torque: surface.torque + motion.at_surface.at(self.now.time),
             },
         });
+        let bit_torque = self.step_torques.last().copied().unwrap_or_default();
+        let of_drive = self.drive.as_mut().map(|drive| drive.end_step(bit_torque));
+        self.now.surface = of_drive.or(of_line);
         if let Some(lateral) = &mut self.lateral {
             lateral.end_step(&self.now.contacts, &self.now.speeds);
         }
@@ -637,6 +655,14 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             lateral.pass_block(positions);
         }
         self.next += steps;
+    }
+}
+
+/// The end of a string that nothing acts on.
+fn free_end(line: LoadLine) -> StringEnd {
+    StringEnd {
+        torque: 0.0,
+        speed: line.free_speed,
     }
 }
 

@@ -5,6 +5,7 @@ use linear::{Cascade, ChannelResponses, ResponseError, Responses, Sites, Stepped
 use crate::convolution::Kernel;
 use crate::error::SimulationError;
 use crate::laws::motor::{MotorMotion, MudMotor};
+use crate::limited_drive::{DriveMotion, LimitedDrive};
 use crate::line::pieces::Pieces;
 use crate::line::torsion::Whole;
 use crate::line::{AxialLines, Bending, Channel, TorsionLine, WallPorts};
@@ -34,6 +35,8 @@ pub struct System {
     pub(crate) axial: Option<AxialLines>,
     /// What turns the bit against the string's end.
     pub(crate) motor: Option<MudMotor>,
+    /// The drive, where its torque is limited.
+    pub(crate) drive: Option<LimitedDrive>,
 }
 
 /// Distances from the bit, m, within which two sites are one.
@@ -82,6 +85,7 @@ impl System {
             walls: WallPorts::new(bending.map_or_else(Vec::new, |it| it.loads.clone()), ports),
             axial: None,
             motor: None,
+            drive: None,
             from_forces: bending.map(|bending| Channel::of_taps(&bending.from_loads)),
             springs: bending.map_or_else(Vec::new, |_| responses.sites.springs().to_vec()),
             torsion: TorsionLine::Whole(whole),
@@ -121,6 +125,7 @@ impl System {
             springs: Vec::new(),
             axial: None,
             motor: None,
+            drive: None,
         })
     }
 
@@ -146,6 +151,7 @@ impl System {
             springs: Vec::new(),
             axial: None,
             motor: None,
+            drive: None,
         })
     }
 
@@ -222,11 +228,37 @@ impl System {
         })
     }
 
+    /// The same below a drive whose torque is limited.
+    ///
+    /// # Errors
+    /// Where something else may act than a torque on the bit, by responses of the same steps.
+    pub fn below_limited(self, drive: LimitedDrive) -> Result<Self, SimulationError> {
+        let is_alone = self.torsion.loaded().len() == 1
+            && self.bit_port().is_some()
+            && self.torsion.whole().is_some()
+            && self.from_forces.is_none()
+            && self.axial.is_none()
+            && self.motor.is_none();
+        if !is_alone || drive.sampling() != self.sampling {
+            return Err(SimulationError::NotAloneBelowDrive);
+        }
+        Ok(Self {
+            drive: Some(drive),
+            ..self
+        })
+    }
+
+    /// Whether what turns the surface is known of every step.
+    pub(crate) fn knows_surface(&self) -> bool {
+        self.torsion.whole().is_none() || self.drive.is_some()
+    }
+
     /// Speeds of all sites, rad/s, in a number of steps: what a start and a surface that turns at
     /// `surface_speed` (rad/s) in the end make of them and, but for sites that bear torques
     /// themselves, the torques on the bit (N m, positive with the rotation). The motion of sites
     /// that are only observed follows from a bit that was simulated without them. Empty for a
-    /// string in pieces, all sites of which are stepped.
+    /// string in pieces, all sites of which are stepped, and below a drive of limited torque, which
+    /// turns them, too.
     pub fn driven_speeds(
         &self,
         surface_speed: f64,
@@ -234,7 +266,7 @@ impl System {
         bit_torque: &[f64],
         steps: usize,
     ) -> Option<Vec<Vec<f64>>> {
-        let whole = self.torsion.whole()?;
+        let whole = self.torsion.whole().filter(|_| self.drive.is_none())?;
         let at_start = start.steady();
         let speed = |site: usize, step: usize| match at_start {
             None => surface_speed * whole.surface[site].at(step),
@@ -271,6 +303,23 @@ impl System {
         }
         let step = self.sampling.frequency.recip();
         Ok(Some(MotorMotion::new(motor, step)))
+    }
+
+    /// The drive of limited torque at the start of a scene of a number of steps, where there is one.
+    pub(crate) fn limited_drive<B, W>(
+        &self,
+        scene: &Scene<B, W>,
+        steps: usize,
+    ) -> Result<Option<DriveMotion<'_>>, SimulationError> {
+        let Some(drive) = &self.drive else {
+            return Ok(None);
+        };
+        // What was added since acts on the string, too.
+        let is_alone = self.motor.is_none() && scene.axial.is_none() && scene.lateral.is_none();
+        if !is_alone || !scene.friction.is_empty() {
+            return Err(SimulationError::NotAloneBelowDrive);
+        }
+        Ok(Some(drive.begin(scene.surface_speed, &scene.start, steps)))
     }
 
     /// The port of the bit, where a torque may act there.

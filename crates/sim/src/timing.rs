@@ -19,8 +19,8 @@
 
 use linear::Drillstring;
 use linear::estimates::{
-    drive_settling_time, stick_slip_times, torsional_decay_rate, torsional_period,
-    torsional_resistance, torsional_stiffness, torsional_travel_time,
+    drive_settling_time, stick_slip_times, torsional_decay_rate, torsional_inertia,
+    torsional_period, torsional_resistance, torsional_stiffness, torsional_travel_time,
 };
 
 use crate::laws::bit::BitTorque;
@@ -77,5 +77,34 @@ pub fn torsion_timing(
     Timing {
         duration: first_slip + cycles.max(start + cycle),
         closing_window: cycle,
+    }
+}
+
+/// A drive that has hardly more torque than it takes to turn the bit, or hardly less, is waited for
+/// as if this part of its greatest were left.
+const LEAST_LEFT: f64 = 0.05;
+
+impl Timing {
+    /// The same below a drive whose torque is limited (N m). With what it has left it brings string
+    /// and drive up to their speed, or fails to keep them there; after each time that the bit stuck
+    /// it may have to again.
+    #[must_use]
+    pub fn below_limited(
+        self,
+        string: &Drillstring,
+        surface_speed: f64,
+        bit: Option<&BitTorque>,
+        limit: f64,
+    ) -> Self {
+        let drive = string.top_drive().map_or(0.0, |drive| drive.inertia);
+        let momentum = (drive + torsional_inertia(string)) * surface_speed.abs();
+        let against = bit.map_or(0.0, |bit| bit.torque_dynamic)
+            + torsional_resistance(string) * surface_speed.abs();
+        let left = (limit - against).abs().max(LEAST_LEFT * limit);
+        let accelerates = momentum / left;
+        Self {
+            duration: self.duration + Rules::USUAL.repeated as f64 * accelerates,
+            closing_window: self.closing_window + accelerates,
+        }
     }
 }

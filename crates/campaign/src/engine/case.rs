@@ -78,6 +78,9 @@ impl Case {
         let mut timing = all.map_or(BY_DEFAULT, |all| {
             torsion_timing(&setting.string, surface_speed, &all, &start)
         });
+        if let Some(limit) = setting.drive_limit {
+            timing = timing.below_limited(&setting.string, surface_speed, bit.as_ref(), limit);
+        }
         if setting.lateral.is_some() {
             // Two regimes have to be decided.
             timing.duration = timing.duration.max(BY_DEFAULT.duration);

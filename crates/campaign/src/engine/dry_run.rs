@@ -4,6 +4,7 @@
 use linear::{Budget, BuildError, ChannelRequest, MarginPlan, Request, ResponsePlan};
 use sim::SimulatorPlan;
 
+use super::limited;
 use super::rubbing;
 use super::stepped::{self, stepped_by};
 use super::system_plan::{Stepping, SystemPlan};
@@ -49,7 +50,10 @@ pub(super) fn ask_for_responses(
             if plan.setting.cutting.is_some() {
                 simulator = simulator.moving_along_by(responses.axial_taps());
             }
-            simulator.ask(budget)?;
+            match plan.setting.drive_limit {
+                None => simulator.ask(budget)?,
+                Some(_) => simulator = limited::ask(plan, request, simulator, budget)?,
+            }
             Stepping {
                 simulator,
                 recorded: sites,

@@ -27,9 +27,9 @@ impl FollowedMethod {
     /// # Errors
     /// Where the method does not treat the places that are only watched, or the surface.
     pub fn new(sweep: &Sweep, mut case: MethodSystem, longest: f64) -> Result<Self> {
-        // What the motor does is shown, asked for or not; where the string rubs it is known.
+        // What the motor does is shown, asked for or not, unless it is known.
         let is_driven = case.setting.string.top_drive().is_some();
-        if is_driven && case.setting.friction.is_none() && !sweep.finds_surface_torque() {
+        if is_driven && !sweep.content.follows_surface() && !sweep.finds_surface_torque() {
             case.follow_surface()?;
         }
         let is_watched = sweep.setting.sites.len() > case.setting.sites.len();

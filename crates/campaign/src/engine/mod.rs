@@ -30,6 +30,7 @@ mod fuzz;
 mod idle_axis;
 mod instability;
 mod limit;
+mod limited;
 mod memory;
 mod nearby;
 mod rubbing;

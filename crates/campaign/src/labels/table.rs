@@ -173,7 +173,7 @@ pub fn shows_torque(sweep: &Sweep) -> bool {
 
 /// Whether what turns the surface has columns in the table of a sweep.
 pub fn shows_surface(sweep: &Sweep) -> bool {
-    sweep.content.surface_torque || sweep.setting.friction.is_some()
+    sweep.content.surface_torque || sweep.content.follows_surface()
 }
 
 /// Whether the string of a sweep lies in its hole.

@@ -156,14 +156,17 @@ fn is_followed(
     key: &str,
     trace: TraceName,
 ) -> Result<(), SweepFileError> {
-    let (rubs, bends) = (content.string_friction.is_some(), content.wall.is_some());
+    let (follows, bends) = (content.follows_surface(), content.wall.is_some());
     let at_bit = content.bit_is_site();
     let (is_there, message) = match trace {
         TraceName::BitSpeedRpm => (
             !bends || at_bit,
             "with a wall the bit is followed where it is one of the [[sites]]",
         ),
-        TraceName::SurfaceSpeedRpm => (rubs, "it is followed with [string_friction]"),
+        TraceName::SurfaceSpeedRpm => (
+            follows,
+            "it is followed with [string_friction], or with `saturates` in [top_drive]",
+        ),
         TraceName::SurfaceTorqueNm => return Ok(()),
     };
     source.refuse_if(!is_there, key, message)

@@ -1,5 +1,5 @@
-//! The torque that a top drive has to give, held against what it can: the model's drive gives any
-//! torque that its controller asks for.
+//! The torque that a top drive has to give, held against what it can: unless it is said to saturate,
+//! the model's drive gives any torque that its controller asks for.
 
 use linear::estimates::{torsional_inertia, torsional_resistance};
 use sim::SurfaceProfile;
@@ -23,6 +23,7 @@ impl Sweep {
         [
             self.start_is_doubtful(&conditions),
             self.rotation_is_doubtful(&conditions),
+            self.hold_is_doubtful(&conditions),
         ]
         .into_iter()
         .flatten()
@@ -51,7 +52,7 @@ impl Sweep {
         let SurfaceProfile::Rise(rise) = self.setting.profile else {
             return None;
         };
-        if self.starts.name != StartName::Ramp {
+        if self.starts.name != StartName::Ramp || self.setting.drive_limit.is_some() {
             return None;
         }
         let speeds = ends.iter().filter_map(Conditions::surface_speed);
@@ -83,9 +84,34 @@ impl Sweep {
             Some(on_bit + torsional_resistance(string) * speed)
         };
         let torque = ends.iter().filter_map(torque).fold(0.0, f64::max);
+        let what_follows = match self.setting.drive_limit {
+            None => "the drive of the model gives it, one of that limit would stall",
+            Some(_) => "there the string turns more slowly than it is set to, or stalls",
+        };
         let text = format!(
             "steady rotation takes up to {}, more than the {} of `top_drive.torque_limit_kn_m`: \
-             the drive of the model gives it, one of that limit would stall",
+             {what_follows}",
+            self.in_units(torque),
+            self.in_units(limit)
+        );
+        (torque > limit).then_some(text)
+    }
+
+    /// Of a start with the bit held by more than a drive of limited torque winds up.
+    fn hold_is_doubtful(&self, ends: &[Conditions]) -> Option<String> {
+        let limit = self.setting.drive_limit?;
+        if !matches!(self.starts.name, StartName::Stuck | StartName::Both) {
+            return None;
+        }
+        let torque = |conditions: &Conditions| {
+            let dynamic = self.bit.as_ref()?.torque_dynamic(conditions).ok()??;
+            Some(conditions.torques(dynamic).torque_static)
+        };
+        let torque = ends.iter().filter_map(torque).fold(0.0, f64::max);
+        let text = format!(
+            "cases begin with the bit held by up to {}, more than the {} of \
+             `top_drive.torque_limit_kn_m`: they say whether stick-slip lasts, but only a rotor that swings \
+             winds the string up so far; `start = \"ramp\"` says whether that breaks the bit loose",
             self.in_units(torque),
             self.in_units(limit)
         );

@@ -112,7 +112,7 @@ fn is_measured(
             "bending and stress: `[wall] stress_every_m`",
         ),
         Needs::SurfaceTorque => (
-            content.surface_torque || friction.is_some(),
+            content.surface_torque || content.follows_surface(),
             "the torque at the surface: `surface_torque = true`",
         ),
         Needs::StringTorque => (

@@ -12,6 +12,7 @@ mod contacts;
 mod cutting;
 mod data;
 mod doubts;
+mod drive_limit;
 mod drive_torque;
 mod finding;
 mod full_gauge;

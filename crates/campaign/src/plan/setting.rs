@@ -18,7 +18,7 @@ use super::lateral::{self, LateralSettings};
 use super::lying::{self, Lying};
 use super::motor;
 use super::string_friction::{self, StringFriction};
-use super::{axial_force, hole, sampling, sites, string, top_drive};
+use super::{axial_force, drive_limit, hole, sampling, sites, string, top_drive};
 use crate::design::Design;
 use crate::quantities::Axis;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
@@ -67,6 +67,8 @@ pub struct Setting {
     pub profile: SurfaceProfile,
     /// Inertia of a rotor that is held at that speed at any torque, kg m².
     pub rotor_inertia: f64,
+    /// The greatest torque of its drive, where that is a law, N m.
+    pub drive_limit: Option<f64>,
     /// Friction along the string, where that is modelled.
     pub friction: Option<StringFriction>,
     /// How it hangs, where its axial force is modelled.
@@ -160,6 +162,7 @@ impl Setting {
         let string = string::resolve(source, content)?;
         let (string, mud, hole) = hole::resolve(source, content, string)?;
         let (string, rotor_inertia) = top_drive::resolve(source, content, string)?;
+        let drive_limit = drive_limit::resolve(source, content)?;
         let (key, rise) = ("surface_speed_rise_s", content.surface_speed_rise_s);
         let rise = source.within(key, rise, 0.0, 1e4, "s")?;
         let profile = match (&data.surface_speed, conditions.surface_speed_rpm) {
@@ -228,6 +231,7 @@ impl Setting {
             steps_per_travel,
             profile,
             rotor_inertia,
+            drive_limit,
             friction,
             hanging,
             lying,
@@ -244,9 +248,9 @@ impl Setting {
     }
 
     /// Whether Eq. 74 may say where the bit sticks: of one whose law gives its torque, and that turns
-    /// with the end of the string.
+    /// with the end of a string that is linear.
     pub fn has_stick_slip_limit(&self) -> bool {
-        self.cutting.is_none() && self.motor.is_none()
+        self.cutting.is_none() && self.motor.is_none() && self.drive_limit.is_none()
     }
 
     /// The lateral part of a string that hangs in the middle of its hole: limits of whirl are those

@@ -237,9 +237,9 @@ impl Sweep {
     }
 
     /// Whether the torque that turns the surface is measured after each case; where the string
-    /// rubs along its well it is followed anyway.
+    /// rubs along its well, or its drive's torque is limited, it is followed anyway.
     pub fn measures_surface_torque(&self) -> bool {
-        self.content.surface_torque && self.content.string_friction.is_none()
+        self.content.surface_torque && !self.content.follows_surface()
     }
 
     /// Whether the motion of every case is kept until its row is known.
@@ -252,7 +252,7 @@ impl Sweep {
     pub fn finds_surface_torque(&self) -> bool {
         let mut comparisons = self.data.comparisons.iter();
         let is_compared = comparisons.any(|it| it.trace == TraceName::SurfaceTorqueNm);
-        let is_followed = self.content.string_friction.is_some();
+        let is_followed = self.content.follows_surface();
         self.measures_surface_torque() || is_compared && !is_followed
     }
 

@@ -157,6 +157,13 @@ impl FileContent {
         (self.bit.as_ref()).is_some_and(|bit| bit.cutting.is_some())
     }
 
+    /// Whether cases follow what turns the surface, asked for or not: it acts on a string that rubs
+    /// along its well, and is the law of a drive whose torque is limited.
+    pub fn follows_surface(&self) -> bool {
+        let saturates = self.top_drive.is_some_and(|drive| drive.saturates);
+        self.string_friction.is_some() || saturates
+    }
+
     /// Whether the string lies on the low side of its hole: of an inclined well, with a wall.
     pub fn lies_on_low_side(&self) -> bool {
         let is_inclined =

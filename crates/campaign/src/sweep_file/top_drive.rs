@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::number_or::is_zero;
+use super::number_or::{is_false, is_zero};
 
 /// A motor with inertia that a controller holds at the surface speed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -32,12 +32,17 @@ pub struct TopDriveTable {
     #[schemars(!skip_serializing_if, range(min = 0.0, max = 1e4))]
     #[serde(default, skip_serializing_if = "is_zero")]
     pub delay_ms: f64,
-    /// The most torque that the drive can give. The drive of the model is linear and gives what
-    /// its controller asks for; `run`, `simulate` and `inspect` warn where steady rotation, or
-    /// a start from rest, takes more.
+    /// The most torque that the drive can give. Without `saturates` the drive of the model is linear
+    /// and gives what its controller asks for; `run`, `simulate` and `inspect` warn where steady
+    /// rotation, or a start from rest, takes more.
     #[schemars(range(min = 0.001, max = 1e6))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_limit_kn_m: Option<f64>,
+    /// Whether the drive gives no more than `torque_limit_kn_m`: while its controller asks for
+    /// more, the integral stands still.
+    #[schemars(!skip_serializing_if)]
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub saturates: bool,
 }
 
 /// Where the gains come from.

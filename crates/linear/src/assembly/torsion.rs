@@ -164,6 +164,41 @@ pub fn torque_at_surface<T: Number>(
     }
 }
 
+/// How a string below its drive moves at the surface, and answers a torque there.
+#[derive(Debug, Clone)]
+pub struct AtSurface<T = Complex64> {
+    /// Speed of the surface per unit of the speed that its drive is set to (dimensionless).
+    pub by_set: T,
+    /// Speed of the surface per torque there, rad/s per N m.
+    pub by_torque: T,
+    /// Speed of each site per torque at the surface, rad/s per N m.
+    pub sites_by_torque: Vec<T>,
+}
+
+/// The same of pieces from the surface down, with a drive above them; a speed is `rate` times the
+/// motion that stiffnesses are of.
+pub fn at_surface<T: Number>(
+    pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
+    sites: usize,
+    rate: T,
+    drive: Drive<T>,
+) -> AtSurface<T> {
+    let pieces: Vec<_> = pieces.collect();
+    let whole = (pieces.iter().copied().flatten()).reduce(Stiffness::join);
+    let resists = whole.map_or(T::zero(), |whole| whole.above(T::zero()));
+    let moved = (drive.opposes + resists).inverse();
+    // A drive that turned the surface with the set motion itself would be that torque.
+    let as_torque = Drive {
+        holds: rate,
+        ..drive
+    };
+    AtSurface {
+        by_set: drive.holds * moved,
+        by_torque: rate * moved,
+        sites_by_torque: reduce(pieces.into_iter(), sites, rate, Some(as_torque)).from_surface,
+    }
+}
+
 /// The response of nodes, from the surface down, of which the first `sites` are sites:
 /// each hangs from the one above by a piece, `None` where there is nothing. Stiffnesses
 /// are torques per motion, and a speed is `rate` times that motion. Without a drive the

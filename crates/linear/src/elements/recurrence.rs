@@ -20,7 +20,7 @@ use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::nodes::Relation;
 use crate::assembly::number::Number;
 use crate::assembly::stiff_beam::{StiffBeam, turns};
-use crate::assembly::torsion::{Drive, DynamicStiffness, TorsionAdmittance};
+use crate::assembly::torsion::{AtSurface, Drive, DynamicStiffness, TorsionAdmittance};
 use crate::assembly::{bending, chain, torsion};
 use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
@@ -149,6 +149,14 @@ impl ElementChain<'_> {
         let rates = Rates::at(&self.weights, zeta);
         let drive = self.drive(rates);
         torsion::reduce(self.rows(rates), self.sites, T::real(1.0), drive)
+    }
+
+    /// How the surface moves below its drive; `None` without one.
+    pub fn at_surface<T: Number>(&self, zeta: T) -> Option<AtSurface<T>> {
+        let rates = Rates::at(&self.weights, zeta);
+        let drive = self.drive(rates)?;
+        let (rows, rate) = (self.rows(rates), T::real(1.0));
+        Some(torsion::at_surface(rows, self.sites, rate, drive))
     }
 
     /// Torque with which the surface has to be turned per unit of the speed that it is set to,

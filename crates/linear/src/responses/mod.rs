@@ -30,6 +30,7 @@
 mod bending;
 mod channels;
 mod decay;
+mod driven_surface;
 mod earlier;
 pub(crate) mod length;
 mod margin;
@@ -43,6 +44,7 @@ mod trains;
 mod wanted;
 
 pub use channels::{ChannelResponses, Responses};
+pub use driven_surface::{DrivenSurface, DrivenSurfacePlan, IntegralRule};
 pub use earlier::Earlier;
 pub use margin::MarginPlan;
 pub use moments::{MomentPlan, MomentResponses};

@@ -146,7 +146,7 @@ impl<'a> TorsionPlan<'a> {
     }
 
     /// Responses of all sites from the surface, then of all sites from each torque.
-    fn taps_of_all<'b>(&self, budget: &'b Budget) -> Result<Built<'b>, BuildError> {
+    pub(super) fn taps_of_all<'b>(&self, budget: &'b Budget) -> Result<Built<'b>, BuildError> {
         match &self.lengths {
             Lengths::Rounds(rounds) => self.built_in_rounds(rounds, budget),
             Lengths::Trains(plan) => plan.taps_within(budget),
@@ -196,7 +196,8 @@ impl<'a> TorsionPlan<'a> {
             let chain = self.chain(parameters)?;
             let response = |zeta: Lanes, responses: &mut [Lanes]| {
                 let torque = || chain.surface_torque(zeta);
-                (self.wanted).write(|| chain.admittance(zeta), torque, responses);
+                let surface = || chain.at_surface(zeta);
+                (self.wanted).write(|| chain.admittance(zeta), torque, surface, responses);
             };
             return rounds.build(budget, |taps, sampling| {
                 quadrature::series(taps, count, sampling, &response)
@@ -217,7 +218,8 @@ impl<'a> TorsionPlan<'a> {
         let network = TorsionNetwork::new(self.string, &self.request.sites)?;
         Ok(move |s: Lanes, responses: &mut [Lanes]| {
             let torque = || network.surface_torque(s);
-            (self.wanted).write(|| network.admittance(s), torque, responses);
+            let surface = || network.at_surface(s);
+            (self.wanted).write(|| network.admittance(s), torque, surface, responses);
         })
     }
 

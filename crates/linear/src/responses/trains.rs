@@ -239,7 +239,14 @@ impl<'a> TrainsPlan<'a> {
         } = self;
         let response = |zeta: Lanes, responses: &mut [Lanes]| {
             let torque = || lattice.surface_torque(zeta);
-            wanted.write_some(places, || lattice.admittance(zeta), torque, responses);
+            let surface = || lattice.at_surface(zeta);
+            wanted.write_some(
+                places,
+                || lattice.admittance(zeta),
+                torque,
+                surface,
+                responses,
+            );
         };
         let built = rounds.build(budget, |impulses, sampling| {
             quadrature::series(impulses, places.len(), sampling, &response)

@@ -1,6 +1,7 @@
 //! Which responses in torsion are wanted, and where they stand in a list.
 
 use crate::assembly::lanes::Lanes;
+use crate::assembly::torsion::AtSurface;
 use crate::waves::TorsionAdmittance;
 
 /// What is to be known of a string in torsion.
@@ -13,14 +14,20 @@ pub(super) enum Wanted<'a> {
     },
     /// The torque at the surface, from its speed.
     SurfaceTorque,
+    /// The speed of the surface below its drive, from the set speed and from a torque there, and the
+    /// speeds of all sites from that torque.
+    AtSurface,
 }
+
+/// Responses of the surface itself.
+const AT_SURFACE: usize = 2;
 
 impl<'a> Wanted<'a> {
     /// The sites that torques act on.
     pub(super) fn torques(self) -> &'a [usize] {
         match self {
             Wanted::Sites { torques } => torques,
-            Wanted::SurfaceTorque => &[],
+            Wanted::SurfaceTorque | Wanted::AtSurface => &[],
         }
     }
 
@@ -29,6 +36,7 @@ impl<'a> Wanted<'a> {
         match self {
             Wanted::Sites { torques } => sites * (1 + torques.len()),
             Wanted::SurfaceTorque => 1,
+            Wanted::AtSurface => AT_SURFACE + sites,
         }
     }
 
@@ -44,7 +52,9 @@ impl<'a> Wanted<'a> {
 
     /// For each the first that it is equal to, by place.
     pub(super) fn same_as(self, sites: usize) -> Vec<usize> {
-        let torques = self.torques();
+        let Wanted::Sites { torques } = self else {
+            return (0..self.count(sites)).collect();
+        };
         let place_of = |site: usize, input: usize| sites + site * torques.len() + input;
         let reciprocal = |site: usize, input: usize| {
             let input_there = torques.iter().position(|&other| other == site)?;
@@ -65,10 +75,19 @@ impl<'a> Wanted<'a> {
         places: &[usize],
         admittance: impl FnOnce() -> TorsionAdmittance<Lanes>,
         surface_torque: impl FnOnce() -> Lanes,
+        at_surface: impl FnOnce() -> Option<AtSurface<Lanes>>,
         responses: &mut [Lanes],
     ) {
-        let Wanted::Sites { torques } = self else {
-            return responses[0] = surface_torque();
+        let torques = match self {
+            Wanted::Sites { torques } => torques,
+            Wanted::SurfaceTorque => return responses[0] = surface_torque(),
+            Wanted::AtSurface => {
+                let all = all_at_surface(at_surface());
+                for (response, place) in responses.iter_mut().zip(places) {
+                    *response = all[*place];
+                }
+                return;
+            }
         };
         let admittance = admittance();
         let sites = admittance.from_surface.len();
@@ -89,11 +108,13 @@ impl<'a> Wanted<'a> {
         self,
         admittance: impl FnOnce() -> TorsionAdmittance<Lanes>,
         surface_torque: impl FnOnce() -> Lanes,
+        at_surface: impl FnOnce() -> Option<AtSurface<Lanes>>,
         responses: &mut [Lanes],
     ) {
         let torques = match self {
             Wanted::Sites { torques } => torques,
             Wanted::SurfaceTorque => return responses[0] = surface_torque(),
+            Wanted::AtSurface => return responses.copy_from_slice(&all_at_surface(at_surface())),
         };
         let admittance = admittance();
         let sites = admittance.from_surface.len();
@@ -108,6 +129,15 @@ impl<'a> Wanted<'a> {
     }
 }
 
+/// All responses at the surface, in their order; a plan for these has a drive.
+fn all_at_surface(found: Option<AtSurface<Lanes>>) -> Vec<Lanes> {
+    let own = |at: &AtSurface<Lanes>| [at.by_set, at.by_torque];
+    let all = found
+        .iter()
+        .flat_map(|at| own(at).into_iter().chain(at.sites_by_torque.clone()));
+    all.collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -120,6 +150,7 @@ mod tests {
         assert_eq!(wanted.same_as(3), [0, 1, 2, 3, 4, 5, 6, 4, 8]);
         assert_eq!(wanted.different(3), [0, 1, 2, 3, 4, 5, 6, 8]);
         assert_eq!(Wanted::SurfaceTorque.different(3), [0]);
+        assert_eq!(Wanted::AtSurface.different(2), [0, 1, 2, 3]);
         let none = Wanted::Sites { torques: &[] };
         assert_eq!(none.different(2), [0, 1]);
     }

@@ -38,7 +38,8 @@ use std::sync::Arc;
 use crate::assembly::chain::Stiffness;
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
-    Drive, DynamicStiffness, TorsionAdmittance, late_in_steps, reduce, torque_at_surface,
+    AtSurface, Drive, DynamicStiffness, TorsionAdmittance, at_surface, late_in_steps, reduce,
+    torque_at_surface,
 };
 use crate::distributed_loss::{Interpolated, LossAlong, LossAt};
 use crate::drillstring::{Drillstring, Section, Tube};
@@ -188,7 +189,8 @@ impl Lattice {
     /// By the trapezoidal rule, which keeps energy as the pieces do.
     fn drive<T: Number>(&self, waves: &Waves<'_, T>, zeta: T) -> Option<Drive<T>> {
         self.top_drive.map(|drive| {
-            let rotation = waves.opposite * (0.5 * self.step);
+            // Of the drive, which loses nothing to the string's material.
+            let rotation = waves.integral * (0.5 * self.step);
             let acceleration = waves.alike * (2.0 / self.step);
             let late = late_in_steps(&drive, zeta, self.step);
             Drive::of(&drive, [acceleration, T::real(1.0), rotation], late)
@@ -201,6 +203,18 @@ impl Lattice {
         let waves = self.waves(zeta);
         let drive = self.drive(&waves, zeta);
         reduce(self.pieces(&waves), self.sites, T::real(1.0), drive)
+    }
+
+    /// How the surface moves below its drive; `None` without one.
+    pub(crate) fn at_surface<T: Number>(&self, zeta: T) -> Option<AtSurface<T>> {
+        let waves = self.waves(zeta);
+        let drive = self.drive(&waves, zeta)?;
+        Some(at_surface(
+            self.pieces(&waves),
+            self.sites,
+            T::real(1.0),
+            drive,
+        ))
     }
 
     /// Torque with which the surface has to be turned per unit of the speed that it is set to,
@@ -322,7 +336,9 @@ impl Cutter<'_> {
 struct Waves<'a, T> {
     /// Where both ends turn alike, (1 − ζ)/(1 + ζ).
     alike: T,
-    /// Where they turn against one another, (1 + ζ)/(1 − ζ), in a material with loss m times that.
+    /// (1 + ζ)/(1 − ζ).
+    integral: T,
+    /// Where they turn against one another, the same, in a material with loss m times that.
     opposite: T,
     /// By the trapezoidal rule in steps of a piece, which keeps what is passive so.
     loss: LossAt<'a, T>,
@@ -333,13 +349,14 @@ impl<'a, T: Number> Waves<'a, T> {
     fn at(zeta: T, step: f64, loss: &'a LossAlong<Interpolated>) -> Self {
         let (sum, difference) = (zeta + 1.0, -zeta + 1.0);
         let alike = difference * sum.inverse();
-        let opposite = sum * difference.inverse();
+        let integral = sum * difference.inverse();
         let loss = loss.at(|| alike * (2.0 / step));
         Self {
             alike,
+            integral,
             opposite: match loss.stiffening() {
-                None => opposite,
-                Some(stiffening) => opposite * stiffening,
+                None => integral,
+                Some(stiffening) => integral * stiffening,
             },
             loss,
         }

@@ -26,7 +26,8 @@ use super::torsion::uniform;
 use crate::assembly::chain::{self, Ends, Stiffness};
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
-    Drive, DynamicStiffness, TorsionAdmittance, late, reduce, torque_at_surface,
+    AtSurface, Drive, DynamicStiffness, TorsionAdmittance, at_surface, late, reduce,
+    torque_at_surface,
 };
 use crate::distributed_loss::{Interpolated, LossAlong};
 use crate::drillstring::{Drillstring, Tube};
@@ -115,6 +116,12 @@ impl TorsionNetwork<'_> {
             None => bottom / cross,
             Some(drive) => (top + drive.opposes) * bottom / cross - cross,
         }
+    }
+
+    /// How the surface moves below its drive; `None` without one.
+    pub(crate) fn at_surface<T: Number>(&self, s: T) -> Option<AtSurface<T>> {
+        let drive = self.drive(s)?;
+        Some(at_surface(self.pieces(s), self.sites, s, drive))
     }
 
     /// Torque with which the surface has to be turned per unit of the speed that it is set to,

@@ -8,6 +8,7 @@ use linear::estimates::{
 };
 use linear::method::FiniteElement;
 use linear::modes::torsional_modes;
+use linear::waves::lattice::Lattice;
 use linear::waves::network::TorsionNetwork;
 use linear::{
     BuildError, ChannelRequest, ChannelResponses, Complex64, Drillstring, Method, RaisedCosine,
@@ -619,5 +620,21 @@ fn what_no_drive_can_be_is_refused() {
             .clone()
             .with_top_drive(drive(inertia, proportional, integral));
         assert!(refused.is_err(), "{inertia} {proportional} {integral}");
+    }
+}
+
+/// A drive has no part in what the string's material loses: on the lattice, too, its integral is K_i/s.
+#[test]
+fn val_a_drive_loses_nothing_to_the_material_of_the_string() {
+    let plain = academic::string().with_loss_factor(0.05).unwrap();
+    let string = below(&plain, drive(2000.0, 1e3, 2e3));
+    let network = TorsionNetwork::new(&string, &Sites::bit()).unwrap();
+    let lattice = Lattice::new(&string, &Sites::bit()).unwrap();
+    for frequency in [0.01, 0.03, 0.1, 0.3] {
+        let s = Complex64::new(0.0, std::f64::consts::TAU * frequency);
+        let zeta = (-s * lattice.step).exp();
+        let (found, expected) = (lattice.surface_torque(zeta), network.surface_torque(s));
+        let off = (found - expected).norm() / expected.norm();
+        assert!(off < 1e-3, "{frequency}: {off}");
     }
 }

@@ -38,7 +38,8 @@ impl Watchers {
         let window = scene.timing.closing_window;
         let lowest = stepper.lowest_law();
         let bit = lowest.map(|_| {
-            let mut watch = BitWatch::new(rules, sampling, steps, window);
+            let mut watch = BitWatch::new(rules, sampling, steps, window)
+                .that_may_stall(system.drive.is_some());
             if scene.axial.is_some() {
                 watch = watch.creeping(scene.surface_speed);
             }
@@ -54,7 +55,6 @@ impl Watchers {
                 Settling::new(rules, sites, sampling.frequency, steps),
             )
         });
-        let is_in_pieces = system.torsion.whole().is_none();
         Self {
             bit,
             rubs_at: lowest.filter(|_| !scene.turns_against_rock()),
@@ -65,7 +65,7 @@ impl Watchers {
                 let window = (window * sampling.frequency).round() as usize;
                 RubbingWatch::new(rules, scene.surface_speed, steady_from, window)
             }),
-            surface: is_in_pieces.then(|| Vec::with_capacity(steps)),
+            surface: (system.knows_surface()).then(|| Vec::with_capacity(steps)),
             along: None,
         }
     }

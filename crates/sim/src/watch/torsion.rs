@@ -23,7 +23,8 @@ with_words! {
     /// How the bit turned.
     #[non_exhaustive]
     pub enum TorsionRegime {
-        /// Never slipped in the time simulated: undetermined.
+        /// Never slipped in the time simulated: undetermined. Or, below a drive of limited torque,
+        /// stood still through the closing window, as where the drive has stalled.
         Stuck = "stuck",
         /// Slipped and turned on, perhaps after a few recaptures.
         Smooth = "smooth",
@@ -147,6 +148,8 @@ pub(crate) struct BitWatch {
     slipping_steps: usize,
     peak_speed: f64,
     closing: Closing,
+    /// Whether what turns the string may stall.
+    may_stall: bool,
 }
 
 /// Speeds in the closing window, rad/s.
@@ -158,6 +161,11 @@ struct Closing {
 }
 
 impl Closing {
+    /// Whether the bit has stood still through it.
+    fn stands_still(&self) -> bool {
+        self.least == 0.0 && self.most == 0.0
+    }
+
     fn see(&mut self, speed: f64, steps: usize) {
         if steps == 0 {
             return;
@@ -203,6 +211,7 @@ impl BitWatch {
                 least: f64::INFINITY,
                 most: f64::NEG_INFINITY,
             },
+            may_stall: false,
         }
     }
 
@@ -212,6 +221,12 @@ impl BitWatch {
             creep: self.rules.creeping * surface_speed.abs(),
             ..self
         }
+    }
+
+    /// The same of a string whose drive may stall: a bit that stands still through the closing
+    /// window is then stuck for good, however often it slipped before.
+    pub(crate) fn that_may_stall(self, may_stall: bool) -> Self {
+        Self { may_stall, ..self }
     }
 
     /// The first steps, in which the bit does not move.
@@ -373,6 +388,7 @@ impl BitWatch {
         let time = |steps: usize| self.sampling.start_of(steps);
         let regime = match self.first_slip {
             None => TorsionRegime::Stuck,
+            Some(_) if self.may_stall && self.closing.stands_still() => TorsionRegime::Stuck,
             Some(_) if self.is_sustained() => TorsionRegime::StickSlip,
             Some(_) => TorsionRegime::Smooth,
         };

@@ -5,6 +5,7 @@ mod energy;
 mod falling_friction;
 mod forward_whirl;
 mod held;
+mod limited_drive;
 mod lines;
 mod low_side;
 mod many_sites;

@@ -11,6 +11,7 @@ use sim::{Sampling, Simulator, SimulatorPlan, System};
 use super::MethodSystem;
 use crate::engine::dry_run;
 use crate::engine::finer::finer_frequency;
+use crate::engine::limited;
 use crate::engine::rubbing;
 use crate::engine::stepped::{self, stepped_by};
 use crate::engine::stopwatch::Stopwatch;
@@ -253,12 +254,17 @@ impl MethodSystem {
         responses: Responses,
         (begun, budget): (Stopwatch, &Budget),
     ) -> Result<Self> {
-        SimulatorPlan::of_responses(&responses).ask(budget)?;
-        let simulator = match &setting.cutting {
-            None => Simulator::started(&responses, &setting.profile)?,
-            Some(cutting) => {
-                let system = System::started(&responses, &setting.profile)?;
-                Simulator::of(system.moving_along(&responses, &cutting.profile)?)
+        let simulator = match (&setting.cutting, setting.drive_limit) {
+            (None, Some(limit)) => limited::build(setting, limit, &responses, budget)?,
+            (cutting, _) => {
+                SimulatorPlan::of_responses(&responses).ask(budget)?;
+                match cutting {
+                    None => Simulator::started(&responses, &setting.profile)?,
+                    Some(cutting) => {
+                        let system = System::started(&responses, &setting.profile)?;
+                        Simulator::of(system.moving_along(&responses, &cutting.profile)?)
+                    }
+                }
             }
         };
         Self::with(setting, responses, simulator, (begun, budget))

@@ -180,6 +180,9 @@ fn distance_in_torsion(
     record: &Record,
 ) -> Option<Distance> {
     let system = systems.get(record.method)?;
+    if !system.setting.has_stick_slip_limit() {
+        return None;
+    }
     let conditions = sweep.conditions_at(&expected.values);
     let torques = conditions.torques(record.torque_dynamic_nm?);
     let limit = stick_slip_speed_limit(

@@ -87,7 +87,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         &response_picture(look, sweep, &responses),
     )?;
     write_atomically(&folder.join("inspect.csv"), &panels_csv(&responses)?)?;
-    let drive = DriveView::of(&sweep.setting.string)?;
+    let drive = DriveView::of(&sweep.setting.string, sweep.setting.drive_limit)?;
     let shown = |name: &str| folder.join(drawing.shown(name)).display().to_string();
     let mut pictures = vec![shown("inspect")];
     if let Some(drive) = &drive {

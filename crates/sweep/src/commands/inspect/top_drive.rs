@@ -11,7 +11,7 @@ use linear::{Drillstring, TopDrive};
 use serde::Serialize;
 
 use super::rows::row;
-use campaign::quantities::{INERTIA, INTEGRAL_GAIN, PROPORTIONAL_GAIN, Units};
+use campaign::quantities::{INERTIA, INTEGRAL_GAIN, PROPORTIONAL_GAIN, TORQUE, Units};
 use campaign::words::short;
 use plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
 
@@ -35,6 +35,9 @@ pub struct InspectedDrive {
     delay_ms: f64,
     /// How late it may answer before the string grows unstable below it, where that is known.
     longest_delay_ms: Option<f64>,
+    /// The most torque that it gives, where that is a law.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    limited_to_kn_m: Option<f64>,
     /// With the surface held.
     first_mode_hz: f64,
     first_mode_inertia_kg_m2: f64,
@@ -72,7 +75,7 @@ impl InspectedDrive {
         let integral = short(integral_gain.number(self.integral_gain_knm_rad));
         let first = short(self.first_mode_hz);
         let mut text = "\ntop drive\n".to_owned();
-        for (title, value) in [
+        let rows = [
             ("inertia", format!("{of_drive} {}", inertia.name)),
             (
                 "proportional gain K_p",
@@ -86,6 +89,8 @@ impl InspectedDrive {
                 format!("{integral} {}", integral_gain.name),
             ),
             ("delay", self.delay()),
+        ];
+        let of_string = [
             (
                 "first mode, surface held",
                 format!(
@@ -97,10 +102,20 @@ impl InspectedDrive {
                 "of a wave, then comes back",
                 format!("{:.0} %", 100.0 * self.reflection_at_first_mode),
             ),
-        ] {
+        ];
+        let limited = self.limited(units).map(|torque| ("torque", torque));
+        for (title, value) in rows.into_iter().chain(limited).chain(of_string) {
             text += &row(2, title, &value);
         }
         text + &self.mode_lines()
+    }
+
+    /// What it gives at most, where that is a law.
+    fn limited(&self, units: Units) -> Option<String> {
+        let limit = units.of(&TORQUE).text(1e3 * self.limited_to_kn_m?, 0);
+        Some(format!(
+            "limited to {limit}; its integral stands still while it lacks any"
+        ))
     }
 
     fn delay(&self) -> String {
@@ -140,14 +155,16 @@ pub struct DriveView<'a> {
     surface_held: Vec<TorsionalMode>,
     /// s.
     longest_delay: Option<f64>,
+    /// N m.
+    limit: Option<f64>,
 }
 
 impl<'a> DriveView<'a> {
-    /// That of a string; `None` without a top drive.
+    /// That of a string, its drive limited to a torque (N m) or not; `None` without a top drive.
     ///
     /// # Errors
     /// Where its modes cannot be found.
-    pub fn of(string: &'a Drillstring) -> Result<Option<Self>> {
+    pub fn of(string: &'a Drillstring, limit: Option<f64>) -> Result<Option<Self>> {
         let Some(drive) = string.top_drive() else {
             return Ok(None);
         };
@@ -159,6 +176,7 @@ impl<'a> DriveView<'a> {
             below_drive: torsional_modes(string, MODES)?,
             surface_held: torsional_modes(&held, MODES)?,
             longest_delay: longest_delay(string)?,
+            limit,
         }))
     }
 
@@ -180,6 +198,7 @@ impl<'a> DriveView<'a> {
             integral_gain_knm_rad: 1e-3 * self.drive.integral_gain,
             delay_ms: 1e3 * self.drive.delay,
             longest_delay_ms: self.longest_delay.map(|delay| 1e3 * delay),
+            limited_to_kn_m: self.limit.map(|limit| 1e-3 * limit),
             first_mode_hz: frequency / TAU,
             first_mode_inertia_kg_m2: inertia,
             reflection_at_first_mode: self.reflection(frequency),

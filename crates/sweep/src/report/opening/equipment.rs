@@ -219,6 +219,12 @@ fn controller(drive: &TopDriveTable, units: Units) -> String {
             )
         }));
     }
+    if let (true, Some(limit)) = (drive.saturates, drive.torque_limit_kn_m) {
+        parts.push(format!(
+            "gives at most {}",
+            units.of(&TORQUE).text(1e3 * limit, 0)
+        ));
+    }
     parts.join(", ")
 }
 

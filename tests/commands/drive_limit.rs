@@ -1,0 +1,156 @@
+//! A top drive that gives no more than its greatest torque: what the commands say of it, its labels,
+//! and what is refused.
+
+use serde_json::Value;
+
+use crate::support::{SMALL, Workplace, with};
+
+/// The small string below a drive, without the place that is only observed, and other keys before
+/// all tables.
+fn below(drive: &str, keys: &str) -> String {
+    let alone = with(SMALL, "[[sites]]\ndistance_from_bit_m = 50\n", "");
+    let drive =
+        format!("[top_drive]\ninertia_kg_m2 = 2000\ncontroller = \"stiff\"\n{drive}\n[design]\n");
+    format!("{keys}{}", with(&alone, "[design]\n", &drive))
+}
+
+fn limited(torque_kn_m: f64) -> String {
+    format!("torque_limit_kn_m = {torque_kn_m}\nsaturates = true\n")
+}
+
+/// A column of `labels.csv` after a run.
+fn column(text: &str, name: &str) -> Vec<String> {
+    let place = Workplace::with_small(text);
+    let run = place.answer(&["run", "small.toml", "--out", "out"]);
+    assert_eq!(run.code, 0, "{}", run.errors);
+    let labels = std::fs::read_to_string(place.path("out/labels.csv")).unwrap();
+    let rows: Vec<Vec<String>> = (labels.lines())
+        .map(|line| line.split(',').map(str::to_owned).collect())
+        .collect();
+    let at = rows[0].iter().position(|it| it == name).unwrap();
+    rows[1..].iter().map(|row| row[at].clone()).collect()
+}
+
+#[test]
+fn a_limit_that_only_warns_leaves_every_byte() {
+    let labels = |drive: &str| {
+        let place = Workplace::with_small(&below(drive, ""));
+        let run = place.answer(&["run", "small.toml", "--out", "out"]);
+        assert_eq!(run.code, 0, "{}", run.errors);
+        std::fs::read(place.path("out/labels.csv")).unwrap()
+    };
+    assert_eq!(labels(""), labels("torque_limit_kn_m = 0.5\n"));
+}
+
+/// Far above all torques it changes no label, below that of the bit everything is stuck.
+#[test]
+fn a_drive_without_the_torque_for_the_bit_stalls() {
+    let linear = column(&below("", ""), "torsion");
+    assert_eq!(column(&below(&limited(1e4), ""), "torsion"), linear);
+    let stalled = column(&below(&limited(0.5), ""), "torsion");
+    assert!(stalled.iter().all(|label| label == "stuck"), "{stalled:?}");
+    assert_ne!(stalled, linear);
+}
+
+/// What turns the surface is in the rows and in the history, and never more than the limit.
+#[test]
+fn the_torque_is_recorded_and_within_its_limit() {
+    let text = below(&limited(3.0), "start = \"ramp\"\n");
+    let peaks = column(&text, "surface_torque_peak_nm");
+    // The slowest asks for less.
+    assert!(peaks[1..].iter().all(|peak| peak == "3000"), "{peaks:?}");
+    assert!(peaks[0].parse::<f64>().unwrap() < 3000.0, "{peaks:?}");
+    let place = Workplace::with_small(&text);
+    let simulated = place.answer(&["simulate", "small.toml", "--case", "5", "--out", "out"]);
+    assert_eq!(simulated.code, 0, "{}", simulated.errors);
+    let history = std::fs::read_to_string(place.path("out/history.csv")).unwrap();
+    let heading: Vec<&str> = history.lines().next().unwrap().split(',').collect();
+    let at = (heading.iter()).position(|name| *name == "motor_torque_nm");
+    let torques: Vec<f64> = (history.lines().skip(1))
+        .map(|line| line.split(',').nth(at.unwrap()).unwrap().parse().unwrap())
+        .collect();
+    assert!(torques.iter().all(|torque| torque.abs() <= 3000.0));
+    assert!(torques.contains(&3000.0));
+}
+
+#[test]
+fn inspect_says_that_the_torque_is_limited_and_what_follows() {
+    let place = Workplace::with_small(&below(&limited(0.5), ""));
+    let found = place.answer(&["inspect", "small.toml"]);
+    assert_eq!(found.code, 0, "{}", found.errors);
+    let says = "torque                     limited to 500 N m";
+    assert!(found.output.contains(says), "{}", found.output);
+    for words in [
+        "there the string turns more slowly",
+        "only a rotor that swings",
+    ] {
+        assert!(found.errors.contains(words), "{}", found.errors);
+    }
+    let found = place.answer(&["inspect", "small.toml", "--json"]);
+    let found: Value = serde_json::from_str(&found.output).unwrap();
+    assert_eq!(found["top_drive"]["limited_to_kn_m"], 0.5);
+    let linear = Workplace::with_small(&below("torque_limit_kn_m = 0.5\n", ""));
+    let found = linear.answer(&["inspect", "small.toml"]);
+    assert!(!found.output.contains("limited to"), "{}", found.output);
+}
+
+#[test]
+fn what_does_not_go_with_it_is_refused_by_its_key() {
+    let limit = limited(20.0);
+    for (drive, keys, end, key) in [
+        ("saturates = true\n", "", "", "top_drive.saturates"),
+        (
+            &*format!("{limit}delay_ms = 1\n"),
+            "",
+            "",
+            "top_drive.delay_ms",
+        ),
+        (&limit, "methods = [\"hilbert\"]\n", "", "methods"),
+        (&limit, "accuracy = \"1 %\"\n", "", "accuracy"),
+        (
+            &limit,
+            "methods = [\"held\", \"finite-element\"]\ncertify = true\n",
+            "",
+            "certify",
+        ),
+        (
+            &limit,
+            "sites = [{ distance_from_bit_m = 50 }]\n",
+            "",
+            "sites",
+        ),
+        (
+            &limit,
+            "",
+            "[string_friction]\nstatic_coefficient = 0.3\n[well]\ninclination_deg = 60\n",
+            "string_friction",
+        ),
+        (
+            &limit,
+            "sites = [{ distance_from_bit_m = 0 }]\n",
+            "[wall]\nclearance_mm = 15\nfriction = 0.5\n",
+            "wall",
+        ),
+        (
+            &limit,
+            "",
+            "[motor]\nspeed_rpm = 120\nstall_torque_kn_m = 10\nrotor_inertia_kg_m2 = 3\n",
+            "motor",
+        ),
+        (&limit, "", "[bit.cutting]\nblades = 5\n", "bit.cutting"),
+    ] {
+        let mut text = below(drive, keys);
+        if keys.contains("methods") || keys.contains("accuracy") {
+            text = text.replace("\nmethods = [\"quadrature\"]", "");
+        }
+        let place = Workplace::with_small(&format!("{text}\n{end}"));
+        let refused = place.answer(&["run", "small.toml", "--dry-run"]);
+        assert_eq!(refused.code, 2, "{key}: {}", refused.errors);
+        let named = format!("`{key}`");
+        assert!(refused.errors.contains(&named), "{key}: {}", refused.errors);
+    }
+    let prescribed = below(&limit, "").replace("\"stiff\"", "\"prescribed\"");
+    let place = Workplace::with_small(&prescribed);
+    let refused = place.answer(&["run", "small.toml", "--dry-run"]);
+    assert!(refused.errors.contains("`top_drive."), "{}", refused.errors);
+}
