@@ -95,7 +95,7 @@ pub struct TouchingSite {
 }
 
 /// A row of a table: its columns, each with its name.
-pub type Row<const COLUMNS: usize> = [(&'static str, Option<f64>); COLUMNS];
+pub type NamedFields<const COLUMNS: usize> = [(&'static str, Option<f64>); COLUMNS];
 
 impl StaticString {
     /// That of a setting under conditions, if the course of its well is known and it may touch its
@@ -186,7 +186,7 @@ impl StaticString {
     }
 
     /// The string at the ends of its elements, from the bit up.
-    pub fn along(&self) -> Vec<Row<9>> {
+    pub fn along(&self) -> Vec<NamedFields<9>> {
         let mut places: Vec<Place> = self.state.along().collect();
         places.reverse();
         let row = |it: &Place| {
@@ -210,7 +210,7 @@ impl StaticString {
     }
 
     /// Its sites, from the bit up.
-    pub fn sites(&self) -> Vec<Row<8>> {
+    pub fn sites(&self) -> Vec<NamedFields<8>> {
         let sites = self.state.contacts().iter().enumerate().rev();
         let row = |(site, it): (usize, &ContactState)| {
             let [high, right] = it.by_high_side(it.displacement);

@@ -16,7 +16,7 @@ use campaign::records::to_rpm;
 /// Points of a line between the ends of an axis.
 const POINTS: usize = 40;
 
-/// Swings of a string that are looked at, from the slowest on.
+/// Swings of a string whose speeds are limits, from the slowest on.
 const SWINGS: usize = 3;
 
 /// A weight on bit, N, up to which one is looked for under which the string does not stay as it lies.
@@ -37,7 +37,7 @@ pub enum LyingLimit {
     /// low side, slipping on its way up: necessary for all of it to go round so.
     GoesRound,
     /// From this speed on every part, by itself, rolls all round without slip: sufficient for all
-    /// of it to go on once it rolls.
+    /// of it to roll on once it does.
     RollsAllRound,
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use campaign::static_string::{Row, StaticString};
+use campaign::static_string::{NamedFields, StaticString};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use statics::Bit;
@@ -54,7 +54,7 @@ pub fn static_string<'py>(
 }
 
 /// The columns of rows that name them.
-fn columns<const COUNT: usize>(rows: &[Row<COUNT>]) -> Vec<(String, Column)> {
+fn columns<const COUNT: usize>(rows: &[NamedFields<COUNT>]) -> Vec<(String, Column)> {
     let Some(first) = rows.first() else {
         return Vec::new();
     };

@@ -438,7 +438,7 @@ mod tests {
         }
     }
 
-    /// A stick in which the bit creeps and stops is one, where creeping is told from slipping.
+    /// A stick in which the bit creeps and stops is one, where creeping does not count as slipping.
     #[test]
     fn what_creeps_has_not_slipped() {
         let sticks = |creeps: bool| {

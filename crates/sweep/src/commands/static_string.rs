@@ -8,7 +8,7 @@ use statics::{ContactState, Place};
 use super::csv_table::csv_table;
 use super::drawing::Drawing;
 use campaign::quantities::{FORCE, LENGTH, TORQUE, Unit, Units, WIDTH};
-use campaign::static_string::{Row, StaticString};
+use campaign::static_string::{NamedFields, StaticString};
 use plot::{Axis, LineStyle, Look, Panel, Picture, Series, Wall, panels};
 use results::files::write_atomically;
 
@@ -133,7 +133,7 @@ impl ShownString<'_> {
     }
 }
 
-fn csv<const COLUMNS: usize>(rows: &[Row<COLUMNS>]) -> Result<Vec<u8>> {
+fn csv<const COLUMNS: usize>(rows: &[NamedFields<COLUMNS>]) -> Result<Vec<u8>> {
     let text = |value: Option<f64>| value.map_or_else(String::new, |it| it.to_string());
     csv_table(
         rows.iter()
