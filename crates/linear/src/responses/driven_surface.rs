@@ -19,10 +19,10 @@
 //! };
 //! let surface = DrivenSurfacePlan::new(&string, &Method::Quadrature, &request)?
 //!     .build(&Budget::unlimited())?;
-//! // In the end it turns as it is set to, and its integral makes up for any torque.
-//! assert!((surface.speed_by_set.iter().sum::<f64>() - 1.0).abs() < 1e-6);
+//! // In a minute it turns as it is set to, and its integral makes up for any torque.
+//! assert!((surface.speed_by_set.iter().sum::<f64>() - 1.0).abs() < 1e-5);
 //! let first = surface.speed_by_torque[0];
-//! assert!(surface.speed_by_torque.iter().sum::<f64>().abs() < 1e-4 * first);
+//! assert!(surface.speed_by_torque.iter().sum::<f64>().abs() < 1e-3 * first);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
