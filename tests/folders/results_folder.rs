@@ -144,9 +144,9 @@ fn rows_from_records_are_those_of_the_table() {
         let folder = place.path("out");
         let axes = Manifest::read(&folder).unwrap().axes;
         // Without a bit that cuts there are no columns of the axis, in an upright well none of a string
-        // that lies.
+        // that lies, nor of what is not asked for.
         let is_there = |measure: &Measure| {
-            let absent = [Needs::Cutting, Needs::Lying, Needs::Shocks];
+            let absent = [Needs::Cutting, Needs::Lying, Needs::Shocks, Needs::Stress];
             !measure.needs().is_some_and(|needs| absent.contains(&needs))
         };
         let measures: Vec<Measure> = Measure::severities().filter(is_there).collect();

@@ -168,12 +168,12 @@ pub(crate) fn bytes(inputs: usize, taps: usize, reciprocity: Reciprocity) -> f64
     let length = transform_length(taps) as f64;
     let entries = (inputs * (inputs + 1) / 2) as f64;
     let entry = match reciprocity {
-        Reciprocity::Exact => REAL,
-        Reciprocity::None => COMPLEX,
+        Reciprocity::None if inputs > 1 => COMPLEX,
+        _ => REAL,
     };
-    // On each thread two transforms, and what they leave.
+    // On each thread a transform, and what another one left.
     let threads = parallel::threads().min(inputs) as f64;
-    entries * 0.5 * entry * length + threads * 2.0 * (TRANSFORM + COMPLEX) * length
+    entries * 0.5 * entry * length + threads * (TRANSFORM + 0.5 * COMPLEX) * length
 }
 
 /// Whether responses are the same in both directions.

@@ -1,13 +1,13 @@
 //! The buffers between frequency responses and their taps.
 
-use super::GATHERED;
+use super::gathering;
 use crate::budget::{COMPLEX, Need, REAL};
 use crate::parallel::threads;
 
 /// Bytes that a transform holds for each of its samples in addition to its input: its output, its
-/// plan and, for lengths with large prime factors, another, longer transform. Measured, and rounded
-/// up.
-const TRANSFORM: f64 = 60.0;
+/// plan and, for lengths with large prime factors, another, longer transform; and what a thread does
+/// not give back at once. Measured, and rounded up.
+const TRANSFORM: f64 = 70.0;
 
 /// Lengths of the buffers of a filter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,10 +31,9 @@ impl Buffers {
     pub(crate) fn need(self, on_thread: f64) -> Need {
         let (channels, frequencies) = (self.channels as f64, self.frequencies() as f64);
         let sampled = COMPLEX * channels * frequencies;
-        let gathered = channels.min((GATHERED * threads()) as f64);
-        let at_once = channels.min(threads() as f64);
-        let transformed =
-            gathered * COMPLEX * frequencies + at_once * TRANSFORM * self.samples as f64;
+        let (gathered, at_once) = gathering(self.channels);
+        let on_each = gathered as f64 * COMPLEX * frequencies + TRANSFORM * self.samples as f64;
+        let transformed = at_once as f64 * on_each;
         let kept = REAL * channels * self.taps as f64;
         let sampling = threads() as f64 * on_thread;
         Need {

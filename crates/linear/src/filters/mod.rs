@@ -24,7 +24,18 @@ pub(crate) use buffers::Buffers;
 pub(crate) type ResponseAt<'a> = dyn Fn(Lanes, &mut [Lanes]) + Sync + 'a;
 
 /// Channels whose spectra are gathered at once: side by side they are in the same lines of memory.
-pub(crate) const GATHERED: usize = 4;
+const GATHERED: usize = 4;
+
+/// From this many channels on it is worth its memory to gather some at once, on every thread.
+const MANY_CHANNELS: usize = 8;
+
+/// How many of a number of channels are gathered at once, and on how many threads.
+fn gathering(channels: usize) -> (usize, usize) {
+    match channels < MANY_CHANNELS {
+        true => (1, 1),
+        false => (GATHERED, parallel::threads()),
+    }
+}
 
 /// Evaluates every channel at `variable(0)`, …, one for each frequency of the buffers, several of
 /// them at a time; then makes of the spectrum of each channel what is wanted.
@@ -53,9 +64,12 @@ fn sample<Made: Send>(
             }
         },
     );
-    let made = parallel::map(channels.div_ceil(GATHERED), 1, |group| {
-        let first = GATHERED * group;
-        let some = GATHERED.min(channels - first);
+    let (at_once, threads) = gathering(channels);
+    let groups = channels.div_ceil(at_once);
+    let in_one_go = if threads == 1 { groups } else { 1 };
+    let made = parallel::map(groups, in_one_go, |group| {
+        let first = at_once * group;
+        let some = at_once.min(channels - first);
         let mut spectra: Vec<_> = (0..some).map(|_| Vec::with_capacity(count)).collect();
         for row in rows.chunks_exact(channels) {
             for (spectrum, value) in spectra.iter_mut().zip(&row[first..]) {
