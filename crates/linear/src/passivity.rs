@@ -46,7 +46,6 @@ use numerics::{Mat, eigenvalues};
 use crate::budget::{COMPLEX, REAL};
 use crate::error::{BuildError, ResponseError};
 use crate::fft::{self, RealToComplex};
-use crate::parallel;
 
 /// Below this margin a response is counted as unstable in sticking. Rounding
 /// and the cut tail of a response stay well within it.
@@ -56,9 +55,11 @@ pub const STABLE_MARGIN: f64 = -1e-4;
 /// spectrum is seen between its own samples too.
 const REFINEMENT: usize = 8;
 
-/// Bytes that a transform holds for each of its samples: its input, its output and its plan.
-/// Measured, and rounded up.
-const TRANSFORM: f64 = 40.0;
+/// Bytes that the plan of a transform holds for each of its samples. Measured, and rounded up.
+const PLAN: f64 = 16.0;
+
+/// The same of its input and its output, and of what another one left.
+const BUFFERS: f64 = 24.0;
 
 /// Differences of the taps that rid the upper half of the band of the lower: a
 /// vibration at a twentieth of f_s is reduced 3 million times.
@@ -171,9 +172,7 @@ pub(crate) fn bytes(inputs: usize, taps: usize, reciprocity: Reciprocity) -> f64
         Reciprocity::None if inputs > 1 => COMPLEX,
         _ => REAL,
     };
-    // On each thread a transform, and what another one left.
-    let threads = parallel::threads().min(inputs) as f64;
-    entries * 0.5 * entry * length + threads * (TRANSFORM + 0.5 * COMPLEX) * length
+    (entries * 0.5 * entry + PLAN + BUFFERS) * length
 }
 
 /// Whether responses are the same in both directions.
@@ -202,6 +201,7 @@ struct HermitianPart {
     /// Real parts on and below the diagonal, row by row.
     real: Vec<Vec<f64>>,
     /// The imaginary ones; none where responses are the same in both directions.
+    /// On the diagonal there are none.
     imaginary: Option<Vec<Vec<f64>>>,
 }
 
@@ -219,14 +219,15 @@ impl HermitianPart {
             .collect();
         let is_reciprocal =
             Reciprocity::of(inputs, |row, column| taps[row][column]) == Reciprocity::Exact;
-        let rows = parallel::map(inputs, 1, |row| {
-            let mut work = spectrometer.work();
-            let mut entries = Vec::with_capacity(row + 1);
+        let mut work = spectrometer.work();
+        let (mut real, mut imaginary) = (Vec::new(), Vec::new());
+        for row in 0..inputs {
             for column in 0..=row {
                 spectrometer.spectrum(taps[row][column], &mut work);
                 let one = &work.spectrum;
                 if is_reciprocal || row == column {
-                    entries.push((one.iter().map(|it| it.re).collect(), None));
+                    real.push(one.iter().map(|it| it.re).collect());
+                    imaginary.push(Vec::new());
                     continue;
                 }
                 let mut mean = one.clone();
@@ -234,21 +235,14 @@ impl HermitianPart {
                 for (mean, other) in mean.iter_mut().zip(&work.spectrum) {
                     *mean = 0.5 * (*mean + other.conj());
                 }
-                let parts = (
-                    mean.iter().map(|it| it.re).collect(),
-                    Some(mean.iter().map(|it| it.im).collect()),
-                );
-                entries.push(parts);
+                real.push(mean.iter().map(|it| it.re).collect());
+                imaginary.push(mean.iter().map(|it| it.im).collect());
             }
-            entries
-        });
-        let (real, imaginary): (Vec<Vec<f64>>, Vec<Option<Vec<f64>>>) =
-            rows.into_iter().flatten().unzip();
-        let imaginary = imaginary.into_iter().map(Option::unwrap_or_default);
+        }
         Self {
             inputs,
             real,
-            imaginary: (!is_reciprocal).then(|| imaginary.collect()),
+            imaginary: (!is_reciprocal).then_some(imaginary),
         }
     }
 

@@ -4,10 +4,12 @@ use super::gathering;
 use crate::budget::{COMPLEX, Need, REAL};
 use crate::parallel::threads;
 
-/// Bytes that a transform holds for each of its samples in addition to its input: its output, its
-/// plan and, for lengths with large prime factors, another, longer transform; and what a thread does
-/// not give back at once. Measured, and rounded up.
-const TRANSFORM: f64 = 70.0;
+/// Bytes that the plan of a transform holds for each of its samples; measured, and rounded up.
+const PLAN: f64 = 20.0;
+
+/// The same of a transform in addition to its plan and its input: its output and, for lengths with
+/// large prime factors, another, longer transform.
+const TRANSFORM: f64 = 40.0;
 
 /// Lengths of the buffers of a filter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +35,7 @@ impl Buffers {
         let sampled = COMPLEX * channels * frequencies;
         let (gathered, at_once) = gathering(self.channels);
         let on_each = gathered as f64 * COMPLEX * frequencies + TRANSFORM * self.samples as f64;
-        let transformed = at_once as f64 * on_each;
+        let transformed = PLAN * self.samples as f64 + at_once as f64 * on_each;
         let kept = REAL * channels * self.taps as f64;
         let sampling = threads() as f64 * on_thread;
         Need {

@@ -19,8 +19,12 @@ pub struct MarginPlan {
 impl MarginPlan {
     /// Of responses in torsion of a number of taps, between a number of sites that torques act on.
     pub fn in_torsion(sites: usize, taps: usize) -> Self {
+        Self::of_speeds(sites, taps, Reciprocity::None)
+    }
+
+    fn of_speeds(sites: usize, taps: usize, reciprocity: Reciprocity) -> Self {
         Self {
-            scratch: bytes(sites, taps, Reciprocity::None),
+            scratch: bytes(sites, taps, reciprocity),
         }
     }
 
@@ -44,12 +48,11 @@ impl MarginPlan {
 
     fn of(channel: &ChannelResponses) -> Self {
         let (sites, taps) = (channel.loads.len(), channel.taps());
+        let points = channel.driving_points();
+        let reciprocity = Reciprocity::of(sites, |output, input| points[output][input]);
         match channel.channel {
-            Channel::Torsion | Channel::Axial => Self::in_torsion(sites, taps),
-            Channel::Bending => {
-                let points = channel.driving_points();
-                Self::of_velocities(sites, taps, Reciprocity::of(sites, |i, j| points[i][j]))
-            }
+            Channel::Torsion | Channel::Axial => Self::of_speeds(sites, taps, reciprocity),
+            Channel::Bending => Self::of_velocities(sites, taps, reciprocity),
         }
     }
 

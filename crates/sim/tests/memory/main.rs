@@ -24,12 +24,13 @@ const KEPT_BY_THREADS: f64 = 2.0 * 1024.0 * 1024.0;
 /// that do not factorise: up to 60 bytes a sample, where others take 8 for their output, and a thread
 /// may have the plan already. Of C responses each sample takes 8C bytes for spectra, 8 for one of
 /// them, and a quarter of responses that continue is kept: (8C + 68 + 2C)/(8C + 16 + 2C), 1.93 with C = 4. Of the
-/// margin of two sites it takes 8 for each of three pairs, and 8 for an input: (24 + 40)/(24 + 8).
+/// margin of two sites it takes 4 for each of three pairs, 8 for an input and 8 for an output, where it is asked for what
+/// another transform left and a plan as well: (12 + 40)/(12 + 16).
 /// Simulators have more series to each transform than either.
 const MOST_ASKED: f64 = 2.0;
 
 /// The same of all work together.
-const ASKED_IN_ALL: std::ops::Range<f64> = 1.0..1.4;
+const ASKED_IN_ALL: std::ops::Range<f64> = 1.0..1.5;
 
 /// Bytes asked for and taken by all work that is compared.
 #[derive(Default)]
