@@ -1,5 +1,7 @@
 //! How a string lies in its hole, as `inspect` has it: in words, as JSON, in tables and a picture.
 
+use std::collections::HashMap;
+
 use serde_json::Value;
 
 use crate::support::Workplace;
@@ -293,6 +295,133 @@ fn a_string_that_turns_as_it_lies_is_bent_and_stressed_as_at_rest() {
             von_mises >= bending && von_mises <= most + 1e-9,
             "{von_mises} {most}"
         );
+    }
+}
+
+/// A table of a case, a row for each of its lines by the names of columns.
+fn table(place: &Workplace, name: &str) -> Vec<HashMap<String, f64>> {
+    let text = std::fs::read_to_string(place.path(name)).unwrap();
+    let mut lines = text.lines().map(|line| line.split(','));
+    let names: Vec<&str> = lines.next().unwrap().collect();
+    let number = |field: &str| field.parse().unwrap_or(f64::NAN);
+    let row = |fields: std::str::Split<'_, char>| {
+        let named = names.iter().zip(fields);
+        named
+            .map(|(name, field)| ((*name).to_owned(), number(field)))
+            .collect()
+    };
+    lines.map(row).collect()
+}
+
+/// The clearance of most sites of [`LYING`], mm, and how long the string is, m.
+const CLEARANCE: f64 = 52.0;
+const DEEPEST: f64 = 72.0;
+
+/// Simulates one method with a film of its beginning and its end.
+fn filmed(text: &str, method: &str) -> Workplace {
+    let place = Workplace::with_small(&text.replace("finite-element", method));
+    let film = ["--film", "--film-from", "0", "--film-frames", "2"];
+    let simulated = [&["simulate", "small.toml", "--out", "out"][..], &film].concat();
+    let answer = place.answer(&simulated);
+    assert_eq!(answer.code, 0, "{method}: {}", answer.errors);
+    place
+}
+
+/// How far the shapes of a film are at most off a place, mm, at a distance from the bit, m, if they have
+/// a node there.
+fn off(shapes: &[&HashMap<String, f64>], from_bit: f64, [x, y]: [f64; 2]) -> Option<f64> {
+    let depth = DEEPEST - from_bit;
+    let here = shapes
+        .iter()
+        .filter(|row| (row["depth_m"] - depth).abs() < 1e-6);
+    let apart = here.map(|row| (row["x_mm"] - x).hypot(row["y_mm"] - y));
+    apart.reduce(f64::max)
+}
+
+/// How far the string in a film is at most off its sites, how far one of these is out of the middle
+/// towards the low side, and how far one goes, mm.
+fn at_sites(place: &Workplace) -> [f64; 3] {
+    let (history, film) = (
+        table(place, "out/history.csv"),
+        table(place, "out/film.csv"),
+    );
+    let [first, last] = [&history[0], history.last().unwrap()];
+    let (mut most, mut sites) = ([0.0_f64; 3], 0);
+    for name in first.keys() {
+        let Some(site) = name.strip_suffix("_x_mm") else {
+            continue;
+        };
+        let from_bit = site.strip_suffix("m_above_bit");
+        let from_bit = from_bit.map_or(0.0, |metres| metres.parse().unwrap());
+        let at = |row: &HashMap<String, f64>| [row[name], row[&format!("{site}_y_mm")]];
+        for row in [first, last] {
+            let shape = film.iter().filter(|it| it["time_s"] == row["time_s"]);
+            let off = off(&shape.collect::<Vec<_>>(), from_bit, at(row)).unwrap();
+            most[0] = most[0].max(off);
+            most[1] = most[1].max(-row[name]);
+        }
+        let ([x, y], [u, v]) = (at(first), at(last));
+        most[2] = most[2].max((u - x).hypot(v - y));
+        sites += 1;
+    }
+    assert!(sites >= 13, "{sites}");
+    most
+}
+
+/// [`LYING`] at rest, as it buckles without its walls, so that springs hold its linear part, and the
+/// same with so many sites that its elements are stepped, which need none.
+fn lying_buckled_and_stepped() -> [String; 3] {
+    let lying = LYING.replace("_hz = 400", "_hz = 1600");
+    let damping = "damping_ns_m2 = 200";
+    let buckled = lying.replace(damping, &format!("{damping}, compression_kn = 200"));
+    let stepped = buckled.replace("\"ends\"", "\"all\"\nsites_every_m = 1.5");
+    [lying, buckled, stepped]
+}
+
+/// What nothing pushes is drawn where it lies: at its sites as its motion has it, between them as
+/// `static_string.csv` has it.
+#[test]
+fn the_whole_string_is_drawn_where_it_lies() {
+    let [lying, buckled, stepped] = lying_buckled_and_stepped();
+    let methods = ["held", "quadrature", "finite-element"];
+    let all = [&lying, &buckled].into_iter();
+    let cases = all.flat_map(|text| methods.map(|method| (text, method)));
+    for (text, method) in cases.chain([(&stepped, "finite-element")]) {
+        let text = text.replace("friction = 0.3", "friction = 0");
+        let place = filmed(&text, method);
+        let [off_sites, low, _] = at_sites(&place);
+        assert!(off_sites < 1e-6 * CLEARANCE, "{method}: {off_sites}");
+        assert!(low > 0.9 * CLEARANCE, "{method}: {low}");
+        let film = table(&place, "out/film.csv");
+        let shapes: Vec<_> = film.iter().collect();
+        let mut nodes = 0;
+        for row in table(&place, "out/static_string.csv") {
+            let there = [row["high_side_mm"], row["right_mm"]];
+            let from_bit = row["distance_from_bit_m"];
+            if let Some(off) = off(&shapes, from_bit, there) {
+                assert!(off < 1e-4 * CLEARANCE, "{method} {from_bit}: {off}");
+                nodes += 1;
+            }
+        }
+        assert!(nodes > 60, "{nodes}");
+        // No farther from the middle than it is at rest.
+        for row in table(&place, "out/string.csv") {
+            let node = |shape: &&HashMap<_, _>| shape["depth_m"] == row["depth_m"];
+            let shape = film.iter().find(node).unwrap();
+            let radius = shape["x_mm"].hypot(shape["y_mm"]);
+            let off = (row["peak_radius_mm"] - radius).abs();
+            assert!(off < 1e-4 * CLEARANCE, "{method}: {off}");
+        }
+    }
+}
+
+/// One that climbs as it turns is drawn through its sites, whether springs are in its forces or not.
+#[test]
+fn the_whole_string_is_drawn_through_sites_that_move() {
+    for text in lying_buckled_and_stepped() {
+        let [off, _, goes] = at_sites(&filmed(&text, "finite-element"));
+        assert!(goes > 0.05 * CLEARANCE, "{goes}");
+        assert!(off < 1e-6 * CLEARANCE, "{off}");
     }
 }
 

@@ -106,6 +106,14 @@ impl Sites {
         Ok(Self { springs, ..self })
     }
 
+    /// The same sites, held by nothing.
+    pub fn without_springs(&self) -> Self {
+        Self {
+            distances_from_bit: self.distances_from_bit.clone(),
+            springs: Vec::new(),
+        }
+    }
+
     /// The string cut at other places, too, by their distances from the bit (m, from the surface down),
     /// which nothing holds.
     pub(crate) fn with_places(

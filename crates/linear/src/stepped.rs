@@ -151,7 +151,9 @@ impl<'a> SteppedPlan<'a> {
         } = *self;
         let working = budget.begin(self.need(), What::Elements)?;
         let (torsion, surface) = turned(string, sites, parameters, frequency)?;
-        let (bending, _) = bent(string, bending, support, sites, parameters, frequency)?;
+        // Elements that are stepped need no springs.
+        let free = sites.without_springs();
+        let (bending, _) = bent(string, bending, support, &free, parameters, frequency)?;
         working.done();
         Ok(SteppedString {
             string: string.id(),

@@ -4,6 +4,7 @@ use linear::SteadyMotion;
 use sim::{
     Axial, BitTorque, Cutting, Lateral, PipeFriction, Scene, Start, Timing, Wall, torsion_timing,
 };
+use statics::{StaticState, StaticsError};
 
 use super::case_error::CaseError;
 use crate::plan::{
@@ -134,6 +135,21 @@ impl Case {
         case.scene.lateral = lateral.transpose()?;
         case.scene.friction = friction_along(setting, &self.conditions)?;
         Ok(case)
+    }
+
+    /// How the string of a setting lies in its hole as the case begins, if it does.
+    ///
+    /// # Errors
+    /// Where there is no such state.
+    pub fn lying(&self, setting: &Setting) -> Result<Option<StaticState>, StaticsError> {
+        let lies = setting.lying.as_ref().zip(setting.lateral.as_ref());
+        let state = lies.zip(self.scene.lateral.as_ref());
+        let state = state.map(|((lying, settings), scene)| {
+            let at = (&setting.string, &setting.sites);
+            let begins = self.starts.lying(self.scene.surface_speed);
+            lying.state(at, (settings, &self.conditions), &scene.walls, begins)
+        });
+        state.transpose()
     }
 
     /// The motion that it begins with at the sites of a setting.

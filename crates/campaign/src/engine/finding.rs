@@ -15,7 +15,7 @@ use super::nearby::certify;
 use super::run_options::RunOptions;
 use super::stepped::{MOST_BY_TAPS, stepped_by};
 use super::systems::{MethodSystem, Recipe};
-use super::whole_string::whole_string;
+use super::whole_string::reconstructed;
 use crate::plan::{Finding, Setting, Sweep};
 use crate::records::{Failure, Found, Record};
 
@@ -84,7 +84,7 @@ fn next_system(
     let Some(clearances) = Clearances::of(&system.setting, case) else {
         return Ok(None);
     };
-    let bulges = bulges(system, finding, &clearances, motion, sweep)?;
+    let bulges = bulges((system, case), finding, &clearances, motion, sweep)?;
     let by = |one: &&Beyond, other: &&Beyond| one.by.total_cmp(&other.by);
     let Some(farthest) = bulges.iter().max_by(by) else {
         return Ok(None);
@@ -149,18 +149,17 @@ pub fn most_sites(setting: &Setting, method: &Method) -> usize {
 /// Where the string goes beyond the wall by more than the tolerance and than the neighbouring
 /// sites, which press into an elastic wall.
 fn bulges(
-    system: &MethodSystem,
+    (system, case): (&MethodSystem, &Case),
     finding: &Finding,
     clearances: &Clearances,
     motion: &Trajectory,
     sweep: &Sweep,
 ) -> Result<Vec<Beyond>, CaseError> {
-    let setting = &system.setting;
-    let Some(whole) = whole_string(sweep, setting) else {
+    let moved = (&system.method, motion);
+    let whole = reconstructed(sweep, (&system.setting, case), moved, &[])?;
+    let Some(whole) = whole else {
         return Ok(Vec::new());
     };
-    let whole = whole.reconstruct(&motion.forces, &[]);
-    let whole = whole.map_err(|error| CaseError::Responses(error.into()))?;
     let sites = clearances.at_sites(motion);
     let allowed = |depth: f64| {
         let neighbours = sites

@@ -111,11 +111,20 @@ impl Moments {
             }
             (Self::Elements, None) => return Ok(None),
             (Self::Elements, Some(whole)) => {
+                let free = plan.setting.sites.without_springs();
+                let whole = WholeString {
+                    sites: &free,
+                    ..whole
+                };
                 let moments = whole.moments(&motion.forces, places, from);
                 moments.map_err(|error| failed(error.into()))?
             }
         };
-        let resting = Resting::of(plan.setting, lateral, case)?;
+        let resting = Resting {
+            setting: plan.setting,
+            compression: lateral.bending.compression,
+            lying: case.lying(plan.setting)?,
+        };
         let turned = turned(motion, from, plan.setting.sampling_frequency);
         let sites = plan.setting.sites.distances_from_bit();
         for (place, moments) in places.iter().zip(&mut moments) {
@@ -147,28 +156,7 @@ struct Resting<'a> {
     lying: Option<statics::StaticState>,
 }
 
-impl<'a> Resting<'a> {
-    fn of(
-        setting: &'a Setting,
-        settings: &'a LateralSettings,
-        case: &Case,
-    ) -> Result<Self, CaseError> {
-        let walls = (case.scene.lateral.as_ref()).map_or(&[][..], |lateral| &lateral.walls);
-        let begins = case.starts.lying(case.scene.surface_speed);
-        let (at, under) = (
-            (&setting.string, &setting.sites),
-            (settings, &case.conditions),
-        );
-        let lying = setting.lying.as_ref();
-        Ok(Self {
-            setting,
-            compression: settings.bending.compression,
-            lying: lying
-                .map(|lying| lying.state(at, under, walls, begins))
-                .transpose()?,
-        })
-    }
-
+impl Resting<'_> {
     /// Bending moment in both planes at a distance from the bit (m), N m.
     fn moment(&self, place: f64) -> [f64; 2] {
         (self.lying.as_ref()).map_or([0.0; 2], |state| state.at(place).moment)

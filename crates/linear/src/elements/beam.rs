@@ -11,8 +11,8 @@ use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 
-/// Assembles the beam elements of a mesh, without the degrees of freedom that
-/// the surface holds.
+/// Assembles the beam elements of a mesh, its sites held by springs (N/m) where there are any,
+/// without the degrees of freedom that the surface holds.
 ///
 /// # Errors
 /// Where no string bends as `bending` says, or the sparse matrices cannot be formed.
@@ -20,7 +20,7 @@ pub fn assemble(
     string: &Drillstring,
     bending: &Bending,
     support: SurfaceSupport,
-    mesh: &Mesh,
+    (mesh, springs): (&Mesh, &[f64]),
 ) -> Result<Matrices, BuildError> {
     bending.check()?;
     let held = support.held();
@@ -57,6 +57,11 @@ pub fn assemble(
         }
     }
     let place = |node: usize| (2 * node).checked_sub(held);
+    for (&node, &spring) in mesh.site_nodes.iter().zip(springs) {
+        if let Some(place) = place(node) {
+            stiffness.push(Entry::new(place, place, spring));
+        }
+    }
     let drag = NodalDrag::new(string, Channel::Bending, mesh, size, place);
     let fading = Fading::new(string, drag, &mut damping, elastic);
     Ok(Matrices::new(&mass, damping, &stiffness)?.with_fading(fading))

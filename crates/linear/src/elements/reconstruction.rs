@@ -58,7 +58,7 @@ pub struct WholeString<'a> {
     pub bending: &'a Bending,
     /// How the surface holds it.
     pub support: SurfaceSupport,
-    /// Where forces act.
+    /// Where forces act. Springs that hold it there are taken back by the forces.
     pub sites: &'a Sites,
     /// Sampling frequency of the forces, Hz.
     pub sampling_frequency: f64,
@@ -78,10 +78,11 @@ impl WholeString<'_> {
         let nodes = most_elements(self.string, self.sites, cells) + 1.0 + places as f64;
         let beam = SteppedChannel::<2, 2>::bytes(self.string, nodes, self.sites.len() + places);
         let motion = SteppedChannel::<2, 2>::motion_bytes(self.string, nodes);
-        // Depths, peaks, and x and y of each shape.
+        // Depths, peaks, and x and y of each shape; and where it rests.
         let kept = REAL * nodes * (2.0 + 2.0 * shapes as f64);
+        let resting = REAL * nodes * 2.0;
         Need {
-            peak: beam + motion + assembled_bytes(self.string, nodes) + kept,
+            peak: beam + motion + assembled_bytes(self.string, nodes) + kept + resting,
             kept,
         }
     }
@@ -98,20 +99,42 @@ impl WholeString<'_> {
         forces: &[Vec<Vec<f64>>; 2],
         snapshots: &[usize],
     ) -> Result<Reconstruction, BuildError> {
+        self.reconstruct_about(|_| [0.0; 2], forces, snapshots)
+    }
+
+    /// The same of a string that rests elsewhere than in the middle of its hole: where it is at rest
+    /// at a distance from the bit (m), and by how much forces differ from those that hold it there.
+    ///
+    /// # Errors
+    /// As [`WholeString::reconstruct`].
+    pub fn reconstruct_about(
+        &self,
+        resting: impl Fn(f64) -> [f64; 2],
+        forces: &[Vec<Vec<f64>>; 2],
+        snapshots: &[usize],
+    ) -> Result<Reconstruction, BuildError> {
         let (beam, mesh) = self.mesh(self.sites)?;
         let depths = mesh.depths();
+        let length = self.string.length();
+        let at_rest: Vec<[f64; 2]> = (depths.iter())
+            .map(|depth| resting((length - depth).max(0.0)))
+            .collect();
+        let place = |motion: &SteppedMotion<2, 2>, node: usize| {
+            let moved = beam.seen_at(motion, node);
+            [0, 1].map(|axis| at_rest[node][axis] + moved[axis])
+        };
         let mut peaks = vec![0.0; depths.len()];
         let mut shapes = Vec::with_capacity(snapshots.len());
         let sites: Vec<usize> = (0..self.sites.len()).collect();
         self.step_through((&beam, &sites), forces, |step, motion| {
             for (node, peak) in peaks.iter_mut().enumerate() {
-                let [x, y] = beam.seen_at(motion, node);
+                let [x, y] = place(motion, node);
                 *peak = f64::max(*peak, x.hypot(y));
             }
             if snapshots.contains(&step) {
                 let along = |axis: usize| {
                     let nodes = 0..depths.len();
-                    nodes.map(|node| beam.seen_at(motion, node)[axis]).collect()
+                    nodes.map(|node| place(motion, node)[axis]).collect()
                 };
                 shapes.push([along(0), along(1)]);
             }

@@ -430,6 +430,58 @@ fn val_a_string_at_rest_elsewhere_and_springs_too_stiff_are_refused() {
     }
 }
 
+/// The whole string goes through all of its sites where springs hold its linear part, too: those are in
+/// its forces.
+#[test]
+fn val_a_string_held_by_springs_goes_through_its_sites() {
+    let springs = [3e4, 0.0, 1e5, 2e4, 5e5, 0.0, 7e3, 1e5, 4e4];
+    let (frequency, snapshots) = (1000.0, [0, 60, 150, 999]);
+    for (method, within) in [
+        (Method::FiniteElement(MESH), 1e-8),
+        (Method::Quadrature, 0.1),
+    ] {
+        let mut scene = turning(60.0, 0.3, 1.0);
+        let pushed = Impulse {
+            site: 4,
+            amount: 2000.0,
+            start: 0.05,
+            duration: 0.05,
+            direction: 0.3,
+        };
+        scene.lateral.as_mut().unwrap().impulses = vec![pushed];
+        let motion = motion(&held_by(&springs, &method, frequency, 1.0), &scene);
+        let (string, sites) = (string(), request(&springs, frequency, 1.0).sites);
+        let whole = WholeString {
+            string: &string,
+            bending: &BENDING,
+            support: SurfaceSupport::Free,
+            sites: &sites,
+            sampling_frequency: frequency,
+            parameters: MESH,
+        };
+        let distances = sites.distances_from_bit();
+        let resting = |from_bit: f64| {
+            let site = distances.iter().position(|it| (it - from_bit).abs() < 1e-9);
+            site.map_or([0.0; 2], |site| lying().positions[site])
+        };
+        let whole = whole.reconstruct_about(resting, &motion.forces, &snapshots);
+        let whole = whole.unwrap();
+        let (mut off, mut moved) = (0.0_f64, 0.0_f64);
+        for (site, distance) in distances.iter().enumerate() {
+            let node = |depth: &f64| (depth - (LENGTH - distance)).abs() < 1e-9;
+            let node = whole.depths.iter().position(node).unwrap();
+            let began = motion.positions[site][0];
+            for (step, [x, y]) in snapshots.iter().zip(&whole.shapes) {
+                let [at_x, at_y] = motion.positions[site][*step];
+                off = off.max((x[node] - at_x).hypot(y[node] - at_y));
+                moved = moved.max((at_x - began[0]).hypot(at_y - began[1]));
+            }
+        }
+        assert!(moved > 0.3 * CLEARANCE, "{method:?}: {moved}");
+        assert!(off < within * CLEARANCE, "{method:?}: {off}");
+    }
+}
+
 /// Where moments are compared, m from the bit: at walls and between them.
 const BENT_AT: [f64; 5] = [55.0, 40.0, 30.0, 26.5, 10.0];
 

@@ -25,6 +25,9 @@ const WORDS: FilmWords = FilmWords {
     walls: ["wall at a site", "between sites"],
 };
 
+/// The curves of a string that lies in its hole.
+const LYING_CURVES: [&str; 2] = ["x, to the high side", "y, to the right"];
+
 /// The shapes that were kept of a simulation, at their steps; what moves less than a twentieth
 /// of the most, above the rest, is left out.
 pub fn film_picture(
@@ -83,7 +86,11 @@ pub fn film_picture(
     };
     let cut = (first > 0).then(|| {
         let from = length.text(highest, 0);
-        format!("Higher than {from} above the bit the string moves less than 5 % of the most.")
+        let least = match sweep.setting.lying {
+            Some(_) => "is less off the middle than by 5 % of the most",
+            None => "moves less than 5 % of the most",
+        };
+        format!("Higher than {from} above the bit the string {least}.")
     });
     let shown = Film {
         title: format!(
@@ -102,7 +109,13 @@ pub fn film_picture(
             .collect(),
         wall: drawn(&line),
         wall_at_dots: drawn(&at_sites),
-        words: WORDS,
+        words: FilmWords {
+            curves: match sweep.setting.lying {
+                Some(_) => LYING_CURVES,
+                None => WORDS.curves,
+            },
+            ..WORDS
+        },
         notes: cut.into_iter().collect(),
         frames: frames.collect(),
     };

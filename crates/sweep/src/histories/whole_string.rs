@@ -1,11 +1,11 @@
 //! The whole string, from the forces at its sites.
 
-use anyhow::Result;
-use linear::elements::reconstruction::{Reconstruction, WholeString};
+use anyhow::{Context, Result};
+use linear::elements::reconstruction::Reconstruction;
 
 use super::marks::{CLEARANCE_SHOWN, each_clearance, style};
-use campaign::engine::{Case, Clearances, Simulation};
-use campaign::plan::{LateralSettings, Sweep};
+use campaign::engine::{Case, Clearances, Simulation, reconstructed};
+use campaign::plan::Sweep;
 use campaign::quantities::{LENGTH, Unit, WIDTH};
 use plot::{Axis, Look, Panel, Picture, Series, Wall, panels};
 
@@ -19,30 +19,34 @@ const APART: f64 = 0.5;
 const MOST_CORNERS: usize = 400;
 const PIECES: usize = 150;
 
-/// The whole string of each simulation, reconstructed by finite elements from the forces at its
-/// sites, by any method; of the first one the shapes in these steps too.
+/// The whole string of each simulation, where it bends, reconstructed by finite elements from the
+/// forces at its sites, by any method; of the first one the shapes in these steps too.
 ///
 /// # Errors
 /// Where finite elements cannot treat the string.
 pub fn whole_strings(
     sweep: &Sweep,
-    lateral: &LateralSettings,
+    cases: &[Case],
     simulations: &[Simulation],
     snapshots: &[usize],
 ) -> Result<Vec<Reconstruction>> {
-    let whole = WholeString {
-        string: &sweep.setting.string,
-        bending: &lateral.bending,
-        support: lateral.support,
-        sites: &sweep.setting.sites,
-        sampling_frequency: sweep.setting.sampling_frequency,
-        parameters: sweep.content.method.finite_element,
-    };
     let of_each = simulations.iter().enumerate().map(|(index, simulation)| {
         let snapshots = if index == 0 { snapshots } else { &[] };
-        Ok(whole.reconstruct(&simulation.trajectory.forces, snapshots)?)
+        let case = cases.iter().find(|case| case.index == simulation.case);
+        let mut methods = sweep.methods.iter();
+        let method = methods.find(|method| method.name() == simulation.method);
+        let (case, method) = case
+            .zip(method)
+            .context("a history of no case and method")?;
+        let moved = (method, &simulation.trajectory);
+        Ok(reconstructed(
+            sweep,
+            (&sweep.setting, case),
+            moved,
+            snapshots,
+        )?)
     });
-    of_each.collect()
+    of_each.filter_map(Result::transpose).collect()
 }
 
 /// Fig. 13: the peak displacement of whole strings, with the clearance at their sites; where

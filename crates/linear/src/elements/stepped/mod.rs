@@ -105,7 +105,7 @@ pub(crate) fn turned(
     Ok((channel, surface))
 }
 
-/// A string in bending, along x and along y, and its mesh.
+/// A string in bending, along x and along y, held by the springs of its sites, and its mesh.
 ///
 /// # Errors
 /// Where the sites are not the string's, parameters are out of range, or the elements would be
@@ -125,7 +125,7 @@ pub(crate) fn bent(
         sites,
         parameters.elements_per_cell,
     )?;
-    let matrices = beam::assemble(string, bending, support, &mesh)?;
+    let matrices = beam::assemble(string, bending, support, (&mesh, sites.springs()))?;
     let (held, nodes) = (support.held(), mesh.site_nodes.clone());
     let seen = Seen::Displacement;
     let channel = SteppedChannel::new(&matrices, held, weights, seen, nodes)?;

@@ -44,10 +44,7 @@ impl Written<'_> {
         } = self.followed;
         let steps = chosen_steps(film, &simulations[0].trajectory)?;
         let lateral = sweep.setting.lateral.as_ref();
-        let wholes = match lateral {
-            Some(lateral) => whole_strings(sweep, lateral, simulations, &steps)?,
-            None => Vec::new(),
-        };
+        let wholes = whole_strings(sweep, cases, simulations, &steps)?;
         make_folder(self.folder)?;
         self.table("history.csv", &history_csv(sweep, simulations)?)?;
         self.table("case.csv", case_csv(sweep, rows).as_bytes())?;
