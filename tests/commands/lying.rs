@@ -369,7 +369,7 @@ fn at_sites(place: &Workplace) -> [f64; 3] {
 }
 
 /// [`LYING`] at rest, as it buckles without its walls, so that springs hold its linear part, and the
-/// same with so many sites that its elements are stepped, which need none.
+/// same with more sites than taps are summed for: its elements are stepped and need none.
 fn lying_buckled_and_stepped() -> [String; 3] {
     let lying = LYING.replace("_hz = 400", "_hz = 1600");
     let damping = "damping_ns_m2 = 200";
