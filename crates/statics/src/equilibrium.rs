@@ -293,7 +293,7 @@ impl<'a> Equilibrium<'a> {
         if self.settle(false) {
             return true;
         }
-        *self = start;
+        self.clone_from(&start);
         let (softest, stiffest) = STIFFNESSES;
         let mut stiffness = softest;
         while stiffness <= stiffest {
@@ -303,6 +303,8 @@ impl<'a> Equilibrium<'a> {
                 }
             }
             if !self.settle(true) {
+                // Soft walls are none of its own: nothing may be found on them later.
+                *self = start;
                 return false;
             }
             stiffness *= 10.0;
