@@ -303,7 +303,7 @@ impl<'a> Equilibrium<'a> {
                 }
             }
             if !self.settle(true) {
-                // Soft walls are none of its own: nothing may be found on them later.
+                // Nothing may be found on softened walls later.
                 *self = start;
                 return false;
             }
