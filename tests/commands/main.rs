@@ -10,6 +10,7 @@ mod drive_delay;
 mod drive_limit;
 mod export;
 mod lying;
+mod lying_shape;
 mod motor;
 mod sensitivity;
 mod trace;

@@ -112,7 +112,7 @@ impl StaticString {
             let state = lying.at_rest()?;
             let contacts = lying.contacts().len();
             let frictions = setting.sliding_frictions(conditions);
-            // A pinned bit is one contact more, which nothing rubs on.
+            // A pinned bit may be one contact more, which nothing rubs on, and a free one none.
             let frictions = frictions.map(|mut it| {
                 it.resize(contacts, 0.0);
                 it

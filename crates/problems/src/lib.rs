@@ -5,6 +5,7 @@ pub mod dashpots;
 pub mod delay_lines;
 pub mod field_assembly;
 pub mod masses;
+pub mod methods;
 pub mod oracles;
 pub mod pipes;
 pub mod plain_lattice;

@@ -33,7 +33,7 @@ pub(super) struct BendingPlan<'a> {
     bending: &'a Bending,
     support: SurfaceSupport,
     wanted: Wanted,
-    /// Whose displacements are made, where these are wanted.
+    /// Whose displacements are made; none where moments are wanted.
     pairs: Vec<Pair>,
     /// Taps of each response.
     taps: usize,
@@ -67,10 +67,14 @@ impl<'a> BendingPlan<'a> {
         if needed > MOST_TAPS as f64 {
             return Err(too_many(needed));
         }
-        let pairs = pairs(method, request.sites.len());
-        let channels = match &wanted {
-            Wanted::Displacements => pairs.len(),
-            Wanted::Moments(cut) => cut.places.len() * request.sites.len(),
+        let sites = request.sites.len();
+        let (pairs, channels) = match &wanted {
+            Wanted::Displacements => {
+                let pairs = pairs(method, sites);
+                let count = pairs.len();
+                (pairs, count)
+            }
+            Wanted::Moments(cut) => (Vec::new(), cut.places.len() * sites),
         };
         let taps = needed as usize;
         let buffers = match method {

@@ -15,19 +15,12 @@ use linear::{
     Request, Section, Sites, SteppedString, SurfaceSupport, TopDrive, Tube,
 };
 use problems::academic::{self, tube};
+use problems::methods;
 use problems::oracles;
 use problems::pipes::{self, pipe};
 use proptest::prelude::*;
 
 /// Methods that need no damping.
-fn methods() -> [Method; 3] {
-    [
-        Method::Held,
-        Method::Quadrature,
-        Method::FiniteElement(Default::default()),
-    ]
-}
-
 fn drive(inertia: f64, proportional_gain: f64, integral_gain: f64) -> TopDrive {
     TopDrive {
         inertia,
@@ -65,7 +58,7 @@ fn val_a_matched_drive_without_inertia_reflects_nothing() {
     let string = below(&string, matched);
     let round_trip = (2.0 * torsional_travel_time(&string) * 640.0) as usize;
     // Elements do not carry the highest frequencies: those come back, and late.
-    for (method, allowed) in methods().into_iter().zip([1e-12, 1e-12, 0.15]) {
+    for (method, allowed) in methods::in_time().into_iter().zip([1e-12, 1e-12, 0.15]) {
         let taps = &at_bit(&string, method, 640.0, 5.0).from_loads[0][0];
         let late: f64 = taps.iter().skip(round_trip).map(|tap| tap.abs()).sum();
         assert!(late * impedance < allowed, "{}: {late:e}", method.name());
@@ -165,7 +158,7 @@ fn val_a_mesh_and_its_drive_have_the_exact_response_at_their_modes() {
 #[test]
 fn val_a_stiff_drive_is_a_surface_that_turns_as_prescribed() {
     let string = academic::string();
-    for method in methods()
+    for method in methods::in_time()
         .into_iter()
         .chain([Method::Hilbert(Default::default())])
     {
@@ -276,7 +269,7 @@ fn a_motor_and_a_wave_say_the_same(drive: TopDrive) {
     let string = below(&pipes::row(100, 0.0), drive);
     let rise = RaisedCosine { duration: 0.4 };
     let (exact, exact_torque) = stepped(&string, |time| rise.integral(time), 8.0);
-    for method in methods() {
+    for method in methods::in_time() {
         let error = |frequency: f64| -> f64 {
             let steps = (7.0 * frequency) as usize;
             // The mean over each step where loads are held, else the end of it.
@@ -359,7 +352,7 @@ fn val_the_torque_at_the_surface_is_in_the_end_what_damping_takes() {
     let resistance = string.torsional_damping() * string.length();
     let soft = controllers::soft_torque(&string, 4000.0);
     for string in [string.clone(), below(&string, soft)] {
-        for method in methods()
+        for method in methods::in_time()
             .into_iter()
             .chain([Method::Hilbert(Default::default())])
         {
@@ -490,7 +483,7 @@ proptest! {
         (string, drive) in (strings(), drives())
     ) {
         let string = below(&string, drive);
-        for method in methods() {
+        for method in methods::in_time() {
             let request = Request {
                 sites: Sites::bit(),
                 channels: vec![ChannelRequest::Torsion { torques: vec![0] }],

@@ -223,43 +223,33 @@ impl<'a> Convolution<'a> {
             sums.fill(0.0);
             let mut is_zero = [true; 2];
             let terms = (0..reach).flat_map(|partition| (0..sites).map(move |it| (partition, it)));
-            // Of both planes, until there are enough to be added at once.
-            let mut waiting: [Term; TOGETHER] = [Term::default(); TOGETHER];
-            let mut count = 0;
+            let (mut some, mut count) = ([Term::default(); TOGETHER], 0);
             for (partition, input) in terms {
                 let newest = past.blocks - 1 - partition;
                 let pair = (output * sites + input) * plan.partitions + partition;
-                let kernel = &plan.spectra[pair * stride..(pair + 1) * stride];
-                let place = |plane: usize| newest * channels + plane * sites + input;
                 let spectrum = |plane: usize| {
-                    let place = place(plane);
-                    &past.spectra[place * stride..(place + 1) * stride]
+                    let place = newest * channels + plane * sites + input;
+                    let is_there = plane < self.planes && past.is_active[place];
+                    is_there.then(|| &past.spectra[place * stride..(place + 1) * stride])
                 };
-                let is_active = |plane: usize| past.is_active[place(plane)];
-                if self.planes == 2 && is_active(0) && is_active(1) {
-                    is_zero = [false; 2];
-                    waiting[count] = Term {
-                        kernel,
-                        inputs: [spectrum(0), spectrum(1)],
-                    };
-                    count += 1;
-                    if count == TOGETHER {
-                        add_together(simd, sums, &waiting);
-                        count = 0;
-                    }
+                let inputs = [0, 1].map(spectrum);
+                if inputs == [None; 2] {
                     continue;
                 }
-                // In their order, so that nothing is rounded otherwise.
-                add_waiting(simd, sums, &waiting[..std::mem::take(&mut count)]);
-                for plane in 0..self.planes {
-                    if is_active(plane) {
-                        is_zero[plane] = false;
-                        let sums = &mut sums[plane * stride..(plane + 1) * stride];
-                        add_product(simd, sums, kernel, spectrum(plane));
-                    }
+                for (is_zero, input) in is_zero.iter_mut().zip(inputs) {
+                    *is_zero &= input.is_none();
+                }
+                some[count] = Term {
+                    kernel: &plan.spectra[pair * stride..(pair + 1) * stride],
+                    inputs,
+                };
+                count += 1;
+                if count == TOGETHER {
+                    add_terms(simd, sums, &some);
+                    count = 0;
                 }
             }
-            add_waiting(simd, sums, &waiting[..count]);
+            add_terms(simd, sums, &some[..count]);
             for plane in 0..self.planes {
                 let from = (plane * sites + output) * block;
                 let ready = &mut past.ready[from..from + block];
@@ -325,39 +315,48 @@ fn add_scaled<S: Simd>(simd: S, sums: &mut [f64], factor: f64, values: &[f64]) {
 /// Products of spectra that are added at once: sums are read and written once for all of them.
 const TOGETHER: usize = 4;
 
-/// The spectrum of a kernel, and those of its inputs in both planes.
+/// The spectrum of a kernel, and those of its inputs in both planes where they are not zero.
 #[derive(Clone, Copy, Default)]
 struct Term<'a> {
     kernel: &'a [f64],
-    inputs: [&'a [f64]; 2],
+    inputs: [Option<&'a [f64]>; 2],
 }
 
-/// Adds the products of terms, fewer than [`TOGETHER`], to the sums of both planes.
+/// Adds the products of terms to the sums of each plane, in their order: nothing is rounded otherwise
+/// where they are added at once.
 #[inline(always)]
-fn add_waiting<S: Simd>(simd: S, sums: &mut [f64], terms: &[Term]) {
-    for term in terms {
-        let planes = sums.chunks_exact_mut(term.kernel.len());
-        for (sums, input) in planes.zip(term.inputs) {
-            add_product(simd, sums, term.kernel, input);
+fn add_terms<S: Simd>(simd: S, sums: &mut [f64], terms: &[Term]) {
+    let is_whole = |term: &Term| term.inputs.iter().all(Option::is_some);
+    match <&[Term; TOGETHER]>::try_from(terms) {
+        Ok(terms) if terms.iter().all(is_whole) => add_together(simd, sums, terms),
+        _ => {
+            for term in terms {
+                let planes = sums.chunks_exact_mut(term.kernel.len());
+                for (sums, input) in planes.zip(term.inputs) {
+                    if let Some(input) = input {
+                        add_product(simd, sums, term.kernel, input);
+                    }
+                }
+            }
         }
     }
 }
 
-/// The same of as many as these, one after the other at each frequency.
+/// The same of terms whose inputs are there in both planes, one after the other at each frequency.
 #[inline(always)]
 fn add_together<S: Simd>(simd: S, sums: &mut [f64], terms: &[Term; TOGETHER]) {
     let stride = terms[0].kernel.len();
     let block = stride / 2;
     let kernels = terms.map(|term| complex_lanes::<S>(term.kernel));
     for (plane, sums) in sums.chunks_exact_mut(stride).enumerate() {
-        let inputs = terms.map(|term| complex_lanes::<S>(term.inputs[plane]));
+        let inputs = terms.map(|term| term.inputs[plane].unwrap_or_default());
         // What stands first in both parts is real, of the lowest and of the highest frequency.
         let ends = [0, block].map(|end| {
-            let products = terms
-                .iter()
-                .map(|it| it.kernel[end] * it.inputs[plane][end]);
+            let factors = terms.iter().zip(&inputs);
+            let products = factors.map(|(term, input)| term.kernel[end] * input[end]);
             products.fold(sums[end], |sum, product| sum + product)
         });
+        let inputs = inputs.map(complex_lanes::<S>);
         let (real, imaginary) = sums.split_at_mut(block);
         let real = S::as_mut_simd_f64s(real).0;
         let imaginary = S::as_mut_simd_f64s(imaginary).0;

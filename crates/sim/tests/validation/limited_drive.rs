@@ -2,12 +2,14 @@
 //! form, the linear drive, masses and springs in small steps, energy, and its own law on strings
 //! drawn at random.
 
+use crate::bits::bit;
 use linear::estimates::{torsional_inertia, torsional_stiffness};
 use linear::{
     Budget, ChannelRequest, Drillstring, DrivenSurface, DrivenSurfacePlan, Method, Request,
     Responses, Sites, TopDrive, controllers,
 };
 use problems::masses::MassesAndSprings;
+use problems::methods;
 use problems::pipes;
 use problems::wells::{Draw, Well, with_loss};
 use proptest::prelude::*;
@@ -15,22 +17,6 @@ use sim::{
     BitTorque, LimitedDrive, Scene, Simulator, Start, Stepper, Stopping, SurfaceProfile,
     SurfaceStep, SurfaceTorque, System, Timing, TorsionRegime, Trajectory,
 };
-
-fn methods() -> [Method; 3] {
-    [
-        Method::Held,
-        Method::Quadrature,
-        Method::FiniteElement(Default::default()),
-    ]
-}
-
-fn bit(torque_static: f64, torque_dynamic: f64) -> BitTorque {
-    BitTorque {
-        torque_static,
-        torque_dynamic,
-        decay_speed: 0.0,
-    }
-}
 
 fn scene(surface_speed: f64, start: Start, bit: Option<BitTorque>, duration: f64) -> Scene {
     Scene {
@@ -133,7 +119,7 @@ fn is_brought_up(law: Option<BitTorque>, against: f64, expected_late: std::ops::
         gone => speed - slowly * (slow * gone).exp() - (error - slowly) * (fast * gone).exp(),
     };
     let scene = scene(speed, Start::Rest, law, 9.0);
-    for method in methods() {
+    for method in methods::in_time() {
         let motion = Parts::new(&string, method, (200.0, 9.0)).motion(limit, &scene);
         let first = motion.times.iter().position(|time| *time > 0.2).unwrap();
         let late = motion.times[first] - motion.surface_speed[first] / acceleration;
@@ -174,7 +160,7 @@ fn val_a_limit_that_is_never_met_changes_nothing() {
             6.9e3,
         )),
     ];
-    for (method, allowed) in methods().into_iter().zip([1e-3, 1e-9, 1e-9]) {
+    for (method, allowed) in methods::in_time().into_iter().zip([1e-3, 1e-9, 1e-9]) {
         let parts = Parts::new(&string, method, (256.0, 15.0));
         let profile = SurfaceProfile::default();
         let linear = System::started(&parts.responses, &profile).unwrap();
@@ -260,7 +246,7 @@ fn val_stick_slip_below_a_limited_drive_is_that_of_masses_and_springs() {
     let (frequency, time) = (256.0, 24.0);
     let string = pipes::row(100, DAMPING).with_top_drive(drive).unwrap();
     let scene = scene(speed, Start::Rest, Some(law), time);
-    for (method, allowed) in methods().into_iter().zip([0.03, 0.07, 0.05]) {
+    for (method, allowed) in methods::in_time().into_iter().zip([0.03, 0.07, 0.05]) {
         let offset = method.collocation_offset();
         let expected = masses_and_springs(drive, limit, (speed, law), (frequency, time, offset));
         let motion = Parts::new(&string, method, (frequency, time)).motion(limit, &scene);
@@ -300,7 +286,7 @@ fn val_the_work_of_a_limited_drive_is_all_accounted_for() {
     let (speed, against, frequency, time) = (8.0, 5e3, 256.0, 60.0);
     let scene = scene(speed, Start::Rest, Some(bit(against, against)), time);
     for limit in [6e3, 9e3] {
-        for method in methods() {
+        for method in methods::in_time() {
             let motion = Parts::new(&string, method, (frequency, time)).motion(limit, &scene);
             let work = |torques: &[f64], speeds: &[f64]| {
                 let power = torques.iter().zip(speeds).map(|(one, other)| one * other);
@@ -335,7 +321,7 @@ fn val_a_drive_without_the_torque_for_its_speed_is_slow_or_stalls() {
         (9e3, (9e3 - against) / drags, TorsionRegime::Smooth),
         (4.9e3, 0.0, TorsionRegime::Stuck),
     ] {
-        for method in methods() {
+        for method in methods::in_time() {
             let parts = Parts::new(&string, method, (128.0, 60.0));
             let simulator = Simulator::of(parts.limited(limit, &SurfaceProfile::default()));
             for start in &starts {
@@ -409,7 +395,7 @@ proptest! {
     #[test]
     fn val_in_every_step_the_drive_obeys_its_law_and_the_string_its_responses(number in 0usize..100_000) {
         let (string, profile, limit, scene) = drawn(number);
-        let method = methods()[number % 5 % 3];
+        let method = methods::in_time()[number % 5 % 3];
         let frequency = 32.0;
         let parts = Parts::new(&string, method, (frequency, 12.0));
         let system = parts.limited(limit, &profile);

@@ -1,5 +1,6 @@
 //! Held to closed forms, to other methods and to other programs.
 
+mod bits;
 mod cutting;
 mod energy;
 mod falling_friction;

@@ -1,8 +1,10 @@
 //! Validation of a mud motor between string and bit, against closed forms before the first wave
 //! comes back, and against what turns steadily.
 
+use crate::bits::bit;
 use linear::estimates::{torsional_impedance, torsional_travel_time};
 use linear::{ChannelRequest, Drillstring, Method, Request, Sites};
+use problems::methods;
 use problems::pipes;
 use sim::{BitTorque, MudMotor, Scene, Simulator, Start, Stopping, Timing, Trajectory};
 
@@ -14,22 +16,6 @@ const MOTOR: MudMotor = MudMotor {
     stall_torque: 12e3,
     rotor_inertia: 3.0,
 };
-
-fn methods() -> [Method; 3] {
-    [
-        Method::Held,
-        Method::Quadrature,
-        Method::FiniteElement(Default::default()),
-    ]
-}
-
-fn bit(torque_static: f64, torque_dynamic: f64) -> BitTorque {
-    BitTorque {
-        torque_static,
-        torque_dynamic,
-        decay_speed: 0.0,
-    }
-}
 
 fn motion(
     string: &Drillstring,
@@ -76,7 +62,7 @@ fn val_a_free_bit_spins_up_as_rotor_and_string_let_it() {
     let compliance = MOTOR.slip + impedance.recip();
     let settling = MOTOR.rotor_inertia * compliance;
     assert!(settling < 0.1 * back);
-    for method in methods() {
+    for method in methods::in_time() {
         let record = motion(&string, &method, MOTOR, (0.0, bit(0.0, 0.0), 0.9 * back));
         let bits = &record.speeds[1];
         let exact = |time: f64| MOTOR.speed * (1.0 - (-time / settling).exp());
@@ -111,7 +97,7 @@ fn val_a_held_bit_turns_the_string_back_by_the_motor() {
         let driven = motor.speed / (motor.slip + impedance.recip());
         assert!(driven > 12e3 && driven < 40e3, "{driven}");
         let torque = driven.min(stall_torque);
-        for method in methods() {
+        for method in methods::in_time() {
             let record = motion(&string, &method, motor, (0.0, rock, 0.9 * back));
             assert!(record.speeds[1].iter().all(|speed| *speed == 0.0));
             // Methods other than `held` smear the front of a step.
