@@ -49,11 +49,11 @@ pub fn reconstructed(
         None => whole,
     };
     let lying = case.lying(setting)?;
-    let resting = |from_bit| {
+    let resting = |from_bit: f64| {
         let place = lying.as_ref().map(|state| state.at(from_bit));
         place.map_or([0.0; 2], |place| place.displacement)
     };
-    let found = whole.reconstruct_about(resting, &motion.forces, snapshots);
+    let found = whole.reconstruct_about(&resting, &motion.forces, snapshots);
     found
         .map(Some)
         .map_err(|error| CaseError::Responses(error.into()))

@@ -99,7 +99,7 @@ impl WholeString<'_> {
         forces: &[Vec<Vec<f64>>; 2],
         snapshots: &[usize],
     ) -> Result<Reconstruction, BuildError> {
-        self.reconstruct_about(|_| [0.0; 2], forces, snapshots)
+        self.reconstruct_about(&|_| [0.0; 2], forces, snapshots)
     }
 
     /// The same of a string that rests elsewhere than in the middle of its hole: where it is at rest
@@ -109,7 +109,7 @@ impl WholeString<'_> {
     /// As [`WholeString::reconstruct`].
     pub fn reconstruct_about(
         &self,
-        resting: impl Fn(f64) -> [f64; 2],
+        resting: &dyn Fn(f64) -> [f64; 2],
         forces: &[Vec<Vec<f64>>; 2],
         snapshots: &[usize],
     ) -> Result<Reconstruction, BuildError> {

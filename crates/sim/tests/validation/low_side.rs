@@ -464,7 +464,7 @@ fn val_a_string_held_by_springs_goes_through_its_sites() {
             let site = distances.iter().position(|it| (it - from_bit).abs() < 1e-9);
             site.map_or([0.0; 2], |site| lying().positions[site])
         };
-        let whole = whole.reconstruct_about(resting, &motion.forces, &snapshots);
+        let whole = whole.reconstruct_about(&resting, &motion.forces, &snapshots);
         let whole = whole.unwrap();
         let (mut off, mut moved) = (0.0_f64, 0.0_f64);
         for (site, distance) in distances.iter().enumerate() {
