@@ -89,7 +89,6 @@ pub mod memory;
 pub mod plan;
 pub mod printable;
 pub mod quantities;
-pub mod random;
 pub mod records;
 pub mod rounds;
 pub mod run;
@@ -102,3 +101,4 @@ pub mod trace;
 pub mod words;
 
 pub use campaign::{Campaign, NoRun, NoteRecord, Run, SurveyError};
+pub use numerics::random;

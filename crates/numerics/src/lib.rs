@@ -1,6 +1,6 @@
-//! Fourier transforms, linear equations and eigenvalues, for the crates above.
+//! Fourier transforms, linear equations, eigenvalues and random numbers, for the crates above.
 //!
-//! The algorithms of rustfft and faer are generic: each crate that calls them compiles them again,
+//! The algorithms of rustfft, faer and chacha20 are generic: each crate that calls them compiles them again,
 //! and so do its tests. What is needed of them is called here alone, by functions that are
 //! not generic.
 //!
@@ -11,6 +11,7 @@
 //! | sparse positive definite equations | [`sparse`] | sparse Cholesky decomposition |
 //! | eigenvalues | [`eigenvalues`] | tridiagonal and Hessenberg form |
 //! | products and norms | [`products`] | vector instructions |
+//! | random numbers by seed and index | [`random`] | ChaCha8 |
 //!
 //! ```
 //! use numerics::{Mat, equations};
@@ -26,6 +27,7 @@ pub mod equations;
 mod error;
 pub mod fft;
 pub mod products;
+pub mod random;
 pub mod sparse;
 
 pub use error::NumericsError;

@@ -233,7 +233,7 @@ mod tests {
     #[test]
     fn long_messages_take_no_longer_than_they_are() {
         for piece in ["a", "a_", "1-", "1, ", "`", ".", "é", "_m "] {
-            let long = piece.repeat(1_000_000);
+            let long = piece.repeat(200_000);
             assert_eq!(
                 FileUnits::new(true, "sites").convert(&long).len(),
                 long.len()

@@ -3,4 +3,5 @@
 mod eigenvalues;
 mod equations;
 mod fft;
+mod random;
 mod sparse;

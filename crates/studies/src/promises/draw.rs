@@ -113,7 +113,7 @@ impl Draw {
 
     /// Uniform between two.
     pub fn uniform(&mut self, from: f64, to: f64) -> f64 {
-        self.0.between(from, to, Spacing::Linear)
+        Spacing::Linear.between(from, to, self.0.part())
     }
 
     /// Uniform from the least to the most.
@@ -123,7 +123,7 @@ impl Draw {
 
     /// With a uniform logarithm.
     pub fn log_uniform(&mut self, from: f64, to: f64) -> f64 {
-        self.0.between(from, to, Spacing::Log)
+        Spacing::Log.between(from, to, self.0.part())
     }
 }
 

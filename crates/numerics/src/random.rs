@@ -2,7 +2,7 @@
 //! shards.
 //!
 //! ```
-//! use campaign::random::Stream;
+//! use numerics::random::Stream;
 //!
 //! let mut eighth = Stream::new(1, 8);
 //! let first = eighth.part();
@@ -16,8 +16,6 @@
 
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
-
-use crate::sweep_file::Spacing;
 
 /// A stream of random numbers.
 pub struct Stream(ChaCha8Rng);
@@ -40,11 +38,6 @@ impl Stream {
     pub fn bits(&mut self) -> u64 {
         self.0.next_u64()
     }
-
-    /// The next number, uniform between two, or with a uniform logarithm.
-    pub fn between(&mut self, from: f64, to: f64, spacing: Spacing) -> f64 {
-        spacing.between(from, to, self.part())
-    }
 }
 
 /// The number at a place of the SplitMix64 sequence of a key (G. L. Steele, D. Lea and
@@ -55,20 +48,4 @@ pub fn mixed(key: u64, place: u64) -> u64 {
     let mixed = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     mixed ^ (mixed >> 31)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// As the published program gives them for the key 1234567.
-    #[test]
-    fn mixed_numbers_are_those_of_the_sequence() {
-        let expected = [
-            6_457_827_717_110_365_317,
-            3_203_168_211_198_807_973,
-            9_817_491_932_198_370_423,
-        ];
-        assert_eq!([1, 2, 3].map(|place| mixed(1_234_567, place)), expected);
-    }
 }
