@@ -23,7 +23,7 @@ pub struct StaticString {
     pub soft: Vec<Option<f64>>,
     buckles_without_contacts: bool,
     /// The weight on bit from which on it does not stay there, N.
-    snaking_weight: Option<f64>,
+    snaking_weight: Result<Option<f64>, StaticsError>,
     weight_on_bit_kn: f64,
     /// How long the string is, m.
     length: f64,
@@ -61,6 +61,8 @@ pub struct AtRest {
     pub is_stable: bool,
     /// The weight on bit from which on it does not stay as it lies at rest; none up to 5 MN.
     pub snakes_from_kn: Option<f64>,
+    /// Why that weight is not known; none where it is.
+    pub snakes_from_unknown: Option<String>,
     /// In steady rotation, sliding on all that it touches, where friction is known.
     pub turning: Option<Turning>,
 }
@@ -167,7 +169,17 @@ impl StaticString {
             greatest_von_mises_mpa: greatest(1e-6, state.greatest_von_mises(to)),
             buckles_without_contacts: self.buckles_without_contacts,
             is_stable: state.is_stable(),
-            snakes_from_kn: self.snaking_weight.map(|weight| 1e-3 * weight),
+            snakes_from_kn: self
+                .snaking_weight
+                .clone()
+                .ok()
+                .flatten()
+                .map(|it| 1e-3 * it),
+            snakes_from_unknown: self
+                .snaking_weight
+                .as_ref()
+                .err()
+                .map(StaticsError::to_string),
             turning: self.sliding.as_ref().map(Turning::of),
         }
     }

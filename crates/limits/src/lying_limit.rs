@@ -147,11 +147,11 @@ fn buckling_points(sweep: &Sweep) -> Vec<LyingPoint> {
     vec![point(0), point(1)]
 }
 
-/// N; none where there is no such weight.
+/// N; none where there is no such weight, or none is found.
 fn buckling_weight(sweep: &Sweep) -> Option<f64> {
     let setting = &sweep.setting;
     if let Some(lying) = setting.lying_string(&sweep.conditions, None) {
-        return lying.ok()?.snaking_weight(MOST_WEIGHT);
+        return lying.ok()?.snaking_weight(MOST_WEIGHT).ok().flatten();
     }
     let (hanging, lateral) = (setting.hanging.as_ref()?, setting.lateral.as_ref()?);
     hanging.buckling_weight(&setting.string, lateral).ok()?

@@ -20,25 +20,36 @@
 //! another.
 //!
 //! *A Hertzian wall* is begun from the rigid one, pressed in by as much as its forces ask for;
-//! Newton steps are halved until what is out of balance falls.
+//! Newton steps are halved until energy falls (with friction, what is out of balance). Where the
+//! string would buckle, a Newton step may lead uphill: its tangent is then stiffened until it has
+//! no negative pivot (J. Nocedal and S. J. Wright, *Numerical Optimization*, 2006, section 3.4), so
+//! that what is found is where energy is least around it.
 
 use crate::banded::Banded;
 use crate::beam::{Beam, FREEDOMS};
 use crate::contact::Contact;
 use crate::wall::{hertzian, turned};
 
-/// Turns until equilibrium is given up.
+/// Turns until equilibrium is given up: with soft walls, and with rigid ones alone, where soft walls
+/// are still to be tried.
 const MOST_TURNS: usize = 300;
+const MOST_RIGID_TURNS: usize = 50;
 
 /// How often the number of contacts that change may not fall, until they change one by one.
 const PATIENCE: usize = 3;
+
+/// Of a stiffness that elements have at an unknown, what a tangent is first stiffened by where it
+/// has negative pivots, and by how many times more until it has none.
+const FIRST_STIFFENING: f64 = 1e-10;
+const MORE_STIFFENING: f64 = 10.0;
 
 /// A step below this part of the largest displacement may be rounding.
 const SAME_PLACE: f64 = 1e-9;
 
 /// The stiffness of soft walls that take the place of rigid ones, and that to which it grows,
 /// N/m^1.5.
-const STIFFNESSES: (f64, f64) = (1e6, 1e13);
+const STIFFNESSES: (f64, f64) = (1e6, 1e14);
+const STIFFER: f64 = 100.0;
 
 /// A step below this part of the largest displacement is taken as it is.
 const SMALL_STEP: f64 = 1e-5;
@@ -203,7 +214,8 @@ impl<'a> Equilibrium<'a> {
     }
 
     /// The step to where a tangent would be in equilibrium, and which of its pivots are negative.
-    fn step(&self) -> (Vec<f64>, NegativePivots) {
+    /// Elements are stiffer at their nodes by these parts, in each plane.
+    fn step(&self, stiffened: [f64; 2]) -> (Vec<f64>, NegativePivots) {
         let size = self.beam.size();
         let mut matrix = Banded::zeros(size);
         for (upper, element) in self.beam.elements.iter().enumerate() {
@@ -214,6 +226,8 @@ impl<'a> Equilibrium<'a> {
                     for column in 0..4 {
                         matrix.add(unknown(row), unknown(column), stiffness[row][column]);
                     }
+                    let more = stiffened[plane] * stiffness[row][row];
+                    matrix.add(unknown(row), unknown(row), more);
                 }
             }
         }
@@ -283,34 +297,88 @@ impl<'a> Equilibrium<'a> {
 
     /// Which pivots are negative where the string is now: without any, it is stable.
     pub(crate) fn negative_pivots(&self) -> NegativePivots {
-        self.step().1
+        self.step([0.0; 2]).1
+    }
+
+    /// A step downhill in energy, where friction is none, by a tangent that is stiffened by as much as
+    /// it needs; by how much is kept for the next step.
+    fn step_downhill(&self, stiffened: &mut [f64; 2]) -> Vec<f64> {
+        for part in stiffened.iter_mut() {
+            *part /= MORE_STIFFENING;
+            if *part < FIRST_STIFFENING {
+                *part = 0.0;
+            }
+        }
+        loop {
+            let (step, negative) = self.step(*stiffened);
+            if !self.has_energy() || negative == [0, 0] {
+                return step;
+            }
+            for (part, negative) in stiffened.iter_mut().zip(negative) {
+                if negative > 0 {
+                    *part = (*part * MORE_STIFFENING).max(FIRST_STIFFENING);
+                }
+            }
+        }
+    }
+
+    /// Whether equilibrium is where an energy is least: friction has none.
+    fn has_energy(&self) -> bool {
+        self.frictions.iter().all(|it| *it == 0.0)
     }
 
     /// Puts the string into equilibrium with rigid walls; whether it is found. Where turns do not
-    /// end, soft walls are made ever stiffer: what they touch in the end is what rigid ones do.
+    /// end, or end where the string would not stay, soft walls are made ever stiffer: what they touch
+    /// in the end is what rigid ones do.
     pub(crate) fn settle_rigid(&mut self) -> bool {
         let start = self.clone();
-        if self.settle(false) {
+        let is_found = self.settle(false);
+        let stays = is_found && (!self.has_energy() || self.negative_pivots()[0] == 0);
+        if stays {
             return true;
         }
-        self.clone_from(&start);
+        let found = std::mem::replace(self, start.clone());
+        if self.settle_by_soft_walls() {
+            return true;
+        }
+        // Nothing may be found on softened walls later.
+        *self = if is_found { found } else { start };
+        is_found
+    }
+
+    fn settle_by_soft_walls(&mut self) -> bool {
         let (softest, stiffest) = STIFFNESSES;
         let mut stiffness = softest;
         while stiffness <= stiffest {
-            for touch in &mut self.touches {
-                if *touch != Touch::Held {
-                    *touch = Touch::Hertzian(stiffness);
-                }
+            for contact in 0..self.contacts.len() {
+                self.soften_wall(contact, stiffness);
             }
             if !self.settle(true) {
-                // Nothing may be found on softened walls later.
-                *self = start;
                 return false;
             }
-            stiffness *= 10.0;
+            stiffness *= STIFFER;
         }
         self.harden_walls();
         self.settle(false)
+    }
+
+    /// Gives the wall at a contact a stiffness (N/m^1.5), pressed in by as much as its force asks for.
+    fn soften_wall(&mut self, contact: usize, stiffness: f64) {
+        let clearance = self.contacts[contact].clearance;
+        let (outwards, normal) = match self.touches[contact] {
+            Touch::Held => return,
+            Touch::Off => ([0.0; 2], 0.0),
+            Touch::On { outwards, normal } => (outwards, normal),
+            Touch::Hertzian(before) => {
+                let wall = hertzian(clearance, before, self.place(contact));
+                (wall.outwards, wall.normal)
+            }
+        };
+        if normal > 0.0 {
+            let pressed_in = libm::cbrt((normal / stiffness).powi(2));
+            self.set_place(contact, outwards.map(|it| (clearance + pressed_in) * it));
+        }
+        self.touches[contact] = Touch::Hertzian(stiffness);
     }
 
     /// Puts the string on what it touches of Hertzian walls, as if they were rigid.
@@ -338,16 +406,9 @@ impl<'a> Equilibrium<'a> {
                 continue;
             };
             has_springs = true;
-            match self.touches[contact] {
-                Touch::Held | Touch::Hertzian(_) => continue,
-                Touch::Off => {}
-                Touch::On { outwards, normal } => {
-                    let pressed_in = libm::cbrt((normal.max(0.0) / stiffness).powi(2));
-                    let reached = self.contacts[contact].clearance + pressed_in;
-                    self.set_place(contact, outwards.map(|it| reached * it));
-                }
+            if !matches!(self.touches[contact], Touch::Hertzian(_)) {
+                self.soften_wall(contact, stiffness);
             }
-            self.touches[contact] = Touch::Hertzian(stiffness);
         }
         !has_springs || self.settle(true)
     }
@@ -356,10 +417,18 @@ impl<'a> Equilibrium<'a> {
     fn settle(&mut self, has_springs: bool) -> bool {
         let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
         let mut last_balance = f64::INFINITY;
+        let mut stiffened = [0.0; 2];
+        let most_turns = match has_springs {
+            true => MOST_TURNS,
+            false => MOST_RIGID_TURNS,
+        };
         let loads = self.shared_loads().into_iter().flatten();
         let load = loads.map(f64::abs).sum::<f64>();
-        for _ in 0..MOST_TURNS {
-            let (step, _) = self.step();
+        for _ in 0..most_turns {
+            let step = match has_springs {
+                true => self.step_downhill(&mut stiffened),
+                false => self.step([0.0; 2]).0,
+            };
             let length = largest(&step);
             if !length.is_finite() {
                 return false;
@@ -417,7 +486,7 @@ impl<'a> Equilibrium<'a> {
     /// What equilibrium makes least: without friction the energy, J; with it, what is out of
     /// balance, N.
     fn merit(&self) -> f64 {
-        match self.frictions.iter().all(|it| *it == 0.0) {
+        match self.has_energy() {
             true => self.energy(),
             false => self.out_of_balance(),
         }

@@ -55,6 +55,7 @@ mod course;
 mod equilibrium;
 mod error;
 mod lying;
+mod snaking;
 mod state;
 mod wall;
 

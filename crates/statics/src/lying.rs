@@ -12,11 +12,6 @@ use crate::state::StaticState;
 /// Steps from no weight on bit to the whole, of a string that its contacts keep from buckling.
 const STEPS_OF_WEIGHT: usize = 10;
 
-/// A weight on bit, N, where one under which a string does not stay as it lies is first looked for,
-/// and the part of it to which it is known.
-const LEAST_WEIGHT: f64 = 1e3;
-const SAME_WEIGHT: f64 = 1e-4;
-
 /// The coefficient of friction grows by no more than this in a step.
 const STEP_OF_FRICTION: f64 = 0.05;
 
@@ -185,40 +180,11 @@ impl LyingString {
         Ok(self.state(&lying))
     }
 
-    /// The weight on bit, N, from which on the string does not stay as it lies at rest, and snakes or
-    /// buckles between its contacts: necessary and sufficient for contacts without friction. None up
-    /// to a weight.
-    pub fn snaking_weight(&self, most: f64) -> Option<f64> {
-        let stays = |weight: f64| {
-            let state = self.under(weight).at_rest();
-            state.is_ok_and(|state| state.is_stable())
-        };
-        if !stays(0.0) {
-            return Some(0.0);
-        }
-        let (mut low, mut high) = (0.0, LEAST_WEIGHT.min(most));
-        while stays(high) {
-            if high >= most {
-                return None;
-            }
-            (low, high) = (high, (2.0 * high).min(most));
-        }
-        while high - low > SAME_WEIGHT * high {
-            let middle = 0.5 * (low + high);
-            if stays(middle) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Some(0.5 * (low + high))
-    }
-
     fn state(&self, lying: &Equilibrium) -> StaticState {
         StaticState::new(lying, &self.beam, &self.contacts, self.torque)
     }
 
-    fn lying(&self, weight_on_bit: f64) -> Equilibrium<'_> {
+    pub(crate) fn lying(&self, weight_on_bit: f64) -> Equilibrium<'_> {
         Equilibrium::on_all_contacts(
             &self.beam,
             &self.contacts,
@@ -250,7 +216,7 @@ impl LyingString {
         }
     }
 
-    fn not_found(&self, friction: f64) -> StaticsError {
+    pub(crate) fn not_found(&self, friction: f64) -> StaticsError {
         StaticsError::NotFound {
             weight_on_bit: self.weight_on_bit,
             friction,

@@ -61,9 +61,10 @@ fn in_words(lying: &AtRest, units: Units) -> String {
             false => parts.join(", "),
         }
     };
-    let snakes = match lying.snakes_from_kn {
-        Some(weight) => format!("from {} on the bit on", force.text(weight, 1)),
-        None => "not up to 5 MN on the bit".to_owned(),
+    let snakes = match (lying.snakes_from_kn, &lying.snakes_from_unknown) {
+        (Some(weight), _) => format!("from {} on the bit on", force.text(weight, 1)),
+        (None, Some(reason)) => format!("not known: {reason}"),
+        (None, None) => "not up to 5 MN on the bit".to_owned(),
     };
     let stays = match (lying.is_stable, lying.buckles_without_contacts) {
         (true, false) => "yes",
