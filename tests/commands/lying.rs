@@ -46,6 +46,25 @@ const DESIGN: &str =
     "[design]\nkind = \"grid\"\n[design.axes]\nfriction = { values = [0.1, 0.3] }\n";
 
 #[test]
+fn a_string_with_too_few_sites_to_lie_on_is_warned_of() {
+    let few = LYING.replace("sites = \"ends\"", "") + DESIGN;
+    let place = Workplace::with_small(&few);
+    let warning = "too few sites there: `sites = \"ends\"`, or a smaller `sites_every_m`";
+    for command in [
+        &["run", "small.toml", "--out", "out"][..],
+        &["simulate", "small.toml", "--case", "0", "--out", "case"],
+    ] {
+        let answer = place.answer(command);
+        assert!(answer.errors.contains(warning), "{}", answer.errors);
+    }
+    let inspected = place.answer(&["inspect", "small.toml"]);
+    assert!(inspected.output.contains(warning), "{}", inspected.output);
+    let place = Workplace::with_small(&(LYING.to_owned() + DESIGN));
+    let answer = place.answer(&["run", "small.toml", "--out", "out"]);
+    assert!(!answer.errors.contains("sites"), "{}", answer.errors);
+}
+
+#[test]
 fn an_inspection_says_how_a_string_lies_in_its_hole() {
     let place = Workplace::with_small(LYING);
     let arguments = ["inspect", "small.toml", "--out", "out"];

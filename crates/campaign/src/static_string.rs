@@ -4,10 +4,20 @@
 use serde::Serialize;
 use statics::{Bit, ContactState, LyingString, Place, StaticState, StaticsError};
 
+use crate::engine::Clearances;
 use crate::plan::{Conditions, Setting};
+use crate::quantities::{LENGTH, Units, WIDTH};
 
 /// No weight on bit is larger, N.
 const MOST_WEIGHT: f64 = 5e6;
+
+/// A string that goes beyond its wall by more than this part of its greatest clearance is not held by
+/// it.
+const FAR_BEYOND: f64 = 0.75;
+
+/// What keeps a string within its wall.
+pub const MORE_SITES: &str =
+    "too few sites there: `sites = \"ends\"`, or a smaller `sites_every_m`";
 
 /// The highest contacts that touch are bent by how the string is cut above them.
 const BENT_BY_CUT: usize = 3;
@@ -25,6 +35,8 @@ pub struct StaticString {
     /// The weight on bit from which on it does not stay there, N.
     snaking_weight: Result<Option<f64>, StaticsError>,
     weight_on_bit_kn: f64,
+    /// Where the string goes farthest beyond its wall between its sites.
+    beyond: Option<BeyondWall>,
     /// How long the string is, m.
     length: f64,
 }
@@ -45,6 +57,8 @@ pub struct AtRest {
     pub sites: usize,
     /// Those that touch, from the bit up.
     pub contacts: Vec<TouchingSite>,
+    /// Where it goes farthest beyond its wall between its sites, if it does.
+    pub beyond_wall: Option<BeyondWall>,
     /// Of the bit on the rock, to the high side and to the right looking down.
     pub side_force_of_bit_kn: [f64; 2],
     /// Of the bit to the axis of the hole, towards the same.
@@ -65,6 +79,19 @@ pub struct AtRest {
     pub snakes_from_unknown: Option<String>,
     /// In steady rotation, sliding on all that it touches, where friction is known.
     pub turning: Option<Turning>,
+}
+
+/// Where a string goes farthest beyond its wall, which acts at its sites alone.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct BeyondWall {
+    /// By how much.
+    pub by_mm: f64,
+    /// Where, from the bit.
+    pub from_bit_m: f64,
+    /// The clearance there.
+    pub clearance_mm: f64,
+    /// Whether sites are too few to hold it to its wall.
+    pub is_far: bool,
 }
 
 /// A string that turns and slides where it lies.
@@ -132,6 +159,7 @@ impl StaticString {
                 soft: soft.collect(),
                 weight_on_bit_kn: conditions.weight_on_bit_kn.unwrap_or(0.0),
                 length: setting.string.length(),
+                beyond: BeyondWall::of(setting, conditions, &state),
                 state,
             })
         };
@@ -145,7 +173,7 @@ impl StaticString {
             value: scale * value,
             from_bit_m,
         };
-        let to = self.trusted();
+        let to = trusted(state, self.length);
         let touching = state.contacts().iter().rev().filter(|it| it.touches);
         let contact = |it: &ContactState| TouchingSite {
             site_from_bit_m: it.contact.distance_from_bit,
@@ -162,6 +190,7 @@ impl StaticString {
             greatest_within_m: to,
             sites: state.contacts().len(),
             contacts: touching.map(contact).collect(),
+            beyond_wall: self.beyond,
             side_force_of_bit_kn: state.side_force_at_bit().map(|force| 1e-3 * force),
             tilt_of_bit_deg: state.tilt_of_bit().map(f64::to_degrees),
             greatest_moment_knm: greatest(1e-3, state.greatest_moment(to)),
@@ -182,19 +211,6 @@ impl StaticString {
                 .map(StaticsError::to_string),
             turning: self.sliding.as_ref().map(Turning::of),
         }
-    }
-
-    /// How far from the bit, m, it is as it would be in a longer model: where the string is cut, up to
-    /// the last contacts but some.
-    fn trusted(&self) -> f64 {
-        let top = self.state.top();
-        if top >= self.length {
-            return top;
-        }
-        let touching = self.state.contacts().iter().filter(|it| it.touches);
-        let distances = touching.map(|it| it.contact.distance_from_bit);
-        let below = distances.skip(BENT_BY_CUT).find(|it| *it > 0.0);
-        below.unwrap_or(top)
     }
 
     /// The string at the ends of its elements, from the bit up.
@@ -246,6 +262,69 @@ impl StaticString {
     }
 }
 
+/// How far from the bit, m, a string of a length (m) is as it would be in a longer model: where it is
+/// cut, up to the last contacts but some.
+fn trusted(state: &StaticState, length: f64) -> f64 {
+    let top = state.top();
+    if top >= length {
+        return top;
+    }
+    let touching = state.contacts().iter().filter(|it| it.touches);
+    let distances = touching.map(|it| it.contact.distance_from_bit);
+    let below = distances.skip(BENT_BY_CUT).find(|it| *it > 0.0);
+    below.unwrap_or(top)
+}
+
+impl BeyondWall {
+    /// That of a setting at rest under conditions, where the string lies in its hole and goes far
+    /// beyond its wall.
+    pub fn far(setting: &Setting, conditions: &Conditions) -> Option<Self> {
+        let lying = setting.lying_string(conditions, None)?.ok()?;
+        let beyond = Self::of(setting, conditions, &lying.at_rest().ok()?)?;
+        beyond.is_far.then_some(beyond)
+    }
+
+    /// By how much and where, in units.
+    pub fn words(&self, units: Units) -> String {
+        let by = units.of(&WIDTH).text(self.by_mm, 2);
+        let place = units.of(&LENGTH).text(self.from_bit_m, 2);
+        format!("up to {by} beyond its wall, {place} from the bit")
+    }
+
+    /// As far as it is as in a longer model and has sites, unless the bit is the only one.
+    fn of(setting: &Setting, conditions: &Conditions, state: &StaticState) -> Option<Self> {
+        let sites = state.contacts().iter().map(|it| &it.contact);
+        let sites = sites.map(|it| (it.distance_from_bit, it.clearance));
+        let walls = Clearances::around(setting, conditions, sites)?;
+        let contacts = state.contacts();
+        let length = setting.string.length();
+        let highest = contacts.first().map(|it| it.contact.distance_from_bit);
+        let highest = highest.filter(|it| *it > 0.0);
+        let to = trusted(state, length).min(highest.unwrap_or(length));
+        let is_between = |place: &Place| {
+            let is_site =
+                |it: &ContactState| it.contact.distance_from_bit == place.distance_from_bit;
+            place.distance_from_bit <= to && !contacts.iter().any(is_site)
+        };
+        let clearances = contacts.iter().map(|it| it.contact.clearance);
+        let greatest = clearances.fold(0.0, f64::max);
+        let beyond = |place: Place| {
+            let clearance = walls.at(length - place.distance_from_bit)?;
+            let [x, y] = place.displacement;
+            let by = x.hypot(y) - clearance;
+            Some(Self {
+                by_mm: 1e3 * by,
+                from_bit_m: place.distance_from_bit,
+                clearance_mm: 1e3 * clearance,
+                is_far: by > FAR_BEYOND * greatest.max(clearance),
+            })
+        };
+        let between = state.along().filter(is_between).filter_map(beyond);
+        let farthest = between.max_by(|one, other| one.by_mm.total_cmp(&other.by_mm));
+        farthest.filter(|it| it.by_mm > 0.0)
+    }
+}
+
 impl Turning {
     fn of(state: &StaticState) -> Self {
         let touching = state.contacts().iter().filter(|it| it.touches);
@@ -257,5 +336,77 @@ impl Turning {
             friction_torque_knm: 1e-3 * state.friction_torque(),
             climb_deg: [least, greatest],
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::plan::Sweep;
+
+    /// A string of sections in an inclined hole (deg, in), with sites.
+    fn in_hole(sections: &[&str], inclination: f64, hole: f64, sites: &str) -> Sweep {
+        let sections: String = (sections.iter())
+            .map(|section| format!("[[string.sections]]\n{section}\n"))
+            .collect();
+        let text = format!(
+            "surface_speed_rpm = 60\n[string]\nshear_modulus_gpa = 80\ndensity_kg_m3 = 7850\n\
+             torsional_damping_nms_rad_m = 10\n\
+             bending = {{ youngs_modulus_gpa = 210, damping_ns_m2 = 2000 }}\n{sections}\
+             [well]\ninclination_deg = {inclination}\nhole_diameter_in = {hole}\n\
+             [wall]\nclearance = \"hole\"\nfriction = 0.3\n{sites}\n"
+        );
+        let read = |_: &Path, _: u64| Ok(text.clone());
+        Sweep::read_from(Path::new("sweep.toml"), &[], &read).unwrap()
+    }
+
+    const ONE_PIPE: &str =
+        "repeat = 1\nparts = [{ length_m = 800, inner_radius_m = 0.054, outer_radius_m = 0.0635 }]";
+    const THIN_PIPE: &str = "repeat = 70\nparts = [{ length_m = 9.6, inner_radius_m = 0.035, outer_radius_m = 0.0445 }]";
+    const JOINTED: &str = "repeat = 60\nparts = [\
+        { length_m = 9.1, inner_radius_m = 0.054, outer_radius_m = 0.0635 },\
+        { length_m = 0.4, inner_radius_m = 0.041, outer_radius_m = 0.084 }]";
+    const COLLAR: &str =
+        "repeat = 1\nparts = [{ length_m = 90, inner_radius_m = 0.036, outer_radius_m = 0.083 }]";
+    const COLLARS: &str =
+        "repeat = 12\nparts = [{ length_m = 9.2, inner_radius_m = 0.036, outer_radius_m = 0.083 }]";
+
+    #[test]
+    fn strings_on_the_ends_of_their_parts_stay_within_their_wall() {
+        let strings: [&[&str]; 6] = [
+            &[ONE_PIPE],
+            &[THIN_PIPE],
+            &[JOINTED],
+            &[ONE_PIPE, COLLAR],
+            &[THIN_PIPE, COLLARS],
+            &[JOINTED, COLLAR],
+        ];
+        // Level and without mud, spans sag by half of their clearance as that next to a support that
+        // turns: a little more where the other end turns, too.
+        let mut most = 0.0_f64;
+        for sections in strings {
+            for inclination in [15.0, 45.0, 90.0] {
+                for hole in [8.5, 12.25, 17.5] {
+                    let ends = "sites = \"ends\"\nsites_to_m = 250";
+                    let sweep = in_hole(sections, inclination, hole, ends);
+                    let lying = sweep.setting.lying_string(&sweep.conditions, None);
+                    let state = lying.unwrap().unwrap().at_rest().unwrap();
+                    let beyond = BeyondWall::of(&sweep.setting, &sweep.conditions, &state);
+                    let part = beyond.map_or(0.0, |it| it.by_mm / it.clearance_mm);
+                    most = most.max(part);
+                }
+            }
+        }
+        assert!((0.3..0.6).contains(&most), "{most}");
+    }
+
+    #[test]
+    fn a_string_on_two_sites_is_far_beyond_its_wall() {
+        let sites = "[[sites]]\ndistance_from_bit_m = 0\n[[sites]]\ndistance_from_bit_m = 60\n";
+        let sweep = in_hole(&[ONE_PIPE, COLLAR], 60.0, 12.25, sites);
+        let beyond = BeyondWall::far(&sweep.setting, &sweep.conditions).unwrap();
+        assert!((20.0..40.0).contains(&beyond.from_bit_m), "{beyond:?}");
     }
 }

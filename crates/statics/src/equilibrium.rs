@@ -300,7 +300,7 @@ impl<'a> Equilibrium<'a> {
         self.step([0.0; 2]).1
     }
 
-    /// A step downhill in energy, where friction is none, by a tangent that is stiffened by as much as
+    /// A step downhill in energy, without friction, by a tangent that is stiffened by as much as
     /// it needs; by how much is kept for the next step.
     fn step_downhill(&self, stiffened: &mut [f64; 2]) -> Vec<f64> {
         for part in stiffened.iter_mut() {

@@ -7,7 +7,7 @@ use crate::lying::LyingString;
 /// Steps from no weight to that under which the string buckles between its contacts.
 const STEPS: usize = 40;
 
-/// A weight is known to this part of itself, or of the largest that is looked at.
+/// A weight is known to this part of itself, or of the largest that is tried.
 const SAME_WEIGHT: f64 = 1e-4;
 const SMALLEST: f64 = 1e-6;
 
@@ -16,7 +16,7 @@ impl LyingString {
     /// grows from zero, and snakes or buckles between its contacts: necessary and sufficient for
     /// contacts without friction. None up to a weight (N).
     ///
-    /// In a hole that turns, a string that has left its place may come to lie still in another.
+    /// In a hole that turns, a string that has left its place may lie still in another.
     ///
     /// # Errors
     /// Where no state is found under a weight on the way.
@@ -25,11 +25,10 @@ impl LyingString {
         let end = buckling.unwrap_or(most);
         let mut lying = self.lying(0.0);
         let (mut stays_under, step) = (0.0, end / STEPS as f64);
-        for count in 0..=STEPS {
+        // Under the last, a string that buckles there has no state.
+        let steps = STEPS + usize::from(buckling.is_none());
+        for count in 0..steps {
             let weight = step * count as f64;
-            if count == STEPS && buckling.is_some() {
-                break;
-            }
             let before = lying.clone();
             if self.stays(&mut lying, weight)? {
                 stays_under = weight;
@@ -61,7 +60,7 @@ impl LyingString {
         Ok(0.5 * (low + high))
     }
 
-    /// Whether a string that lay still stays where it comes to lie under another weight.
+    /// Whether a string that lay still stays where it lies under another weight.
     fn stays(&self, lying: &mut Equilibrium, weight: f64) -> Result<bool, StaticsError> {
         lying.weight_on_bit = weight;
         let is_found = lying.settle_rigid();

@@ -5,7 +5,7 @@ use linear::elements::reconstruction::Reconstruction;
 use sim::Trajectory;
 
 use super::case::Case;
-use crate::plan::Setting;
+use crate::plan::{Conditions, Setting};
 use crate::quantities::WallQuantity;
 
 /// Nodes nearer to a site than this part of the string are at it.
@@ -37,13 +37,25 @@ impl Clearances {
     /// Those of a case; none without a wall. Where only sites have one, it changes evenly between
     /// them, and stays beyond the outermost.
     pub fn of(setting: &Setting, case: &Case) -> Option<Self> {
-        let (settings, lateral) = setting.lateral.as_ref().zip(case.scene.lateral.as_ref())?;
-        let length = setting.string.length();
+        let lateral = case.scene.lateral.as_ref()?;
         let distances = setting.sites.distances_from_bit().iter();
-        let depths = distances.map(|distance| length - distance);
         let clearances = lateral.walls.iter().map(|wall| wall.clearance);
-        let sites: Vec<(f64, f64)> = depths.zip(clearances).collect();
-        let by_axis = case.conditions.of_wall(None, WallQuantity::Clearance);
+        let sites = distances.copied().zip(clearances);
+        Self::around(setting, &case.conditions, sites)
+    }
+
+    /// Those around sites, from the surface down, by distance from the bit and clearance, m.
+    pub fn around(
+        setting: &Setting,
+        conditions: &Conditions,
+        sites: impl Iterator<Item = (f64, f64)>,
+    ) -> Option<Self> {
+        let settings = setting.lateral.as_ref()?;
+        let length = setting.string.length();
+        let sites: Vec<(f64, f64)> = sites
+            .map(|(from_bit, clearance)| (length - from_bit, clearance))
+            .collect();
+        let by_axis = conditions.of_wall(None, WallQuantity::Clearance);
         let corners = match by_axis {
             Some(clearance_mm) => vec![(0.0, 1e-3 * clearance_mm)],
             None if settings.clearances.is_empty() => sites.clone(),

@@ -357,7 +357,10 @@ fn no_candidates_or_too_many_are_refused_with_their_line() {
         "more than 2000 candidates: `sites_to_m` ends",
     );
     for (name, message) in [
-        ("sites_every_m", "needs `sites = \"all\"` or `\"auto\"`"),
+        (
+            "sites_every_m",
+            "needs `sites = \"all\"`, `\"ends\"` or `\"auto\"`",
+        ),
         (
             "sites_to_ft",
             "needs `sites = \"all\"`, `\"ends\"` or `\"auto\"`",
@@ -366,9 +369,6 @@ fn no_candidates_or_too_many_are_refused_with_their_line() {
         let idle = IN_HOLE.replace("sites = \"all\"", &format!("{name} = 9"));
         is_refused(&idle, name, &format!("wall.{name}"), message);
     }
-    let even = IN_HOLE.replace("sites = \"all\"", "sites = \"ends\"\nsites_every_m = 9");
-    let message = "even distances need `\"all\"` or `\"auto\"`";
-    is_refused(&even, "sites_every_m", "wall.sites_every_m", message);
     let cutting = "[bit]\ntorque_dynamic_nm = 2000\n";
     is_refused(
         &(IN_HOLE.to_owned() + cutting),

@@ -1,8 +1,9 @@
 //! The places on the string that are observed, or where the wall may be touched.
 
+use linear::well::GRAVITY;
 use linear::{Drillstring, Sites};
 
-use super::contacts::{CANDIDATES_TO, CandidatePlaces, Candidates, StringInHole};
+use super::contacts::{CANDIDATES_TO, CandidatePlaces, Candidates, Spans, StringInHole};
 use crate::quantities::LONGEST_STRING;
 use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 
@@ -105,14 +106,14 @@ fn candidates(
     in_hole: &StringInHole,
 ) -> Result<Vec<f64>, SweepFileError> {
     let wall = content.wall.unwrap_or_default();
-    for (key, value, needs) in [
-        ("wall.sites_every_m", wall.sites_every_m, ""),
-        ("wall.sites_to_m", wall.sites_to_m, ", `\"ends\"`"),
+    for (key, value) in [
+        ("wall.sites_every_m", wall.sites_every_m),
+        ("wall.sites_to_m", wall.sites_to_m),
     ] {
         if let Some(value) = value {
             source.within(key, value, 1e-3, LONGEST_STRING, "m")?;
             let message =
-                format!("says where sites may be: needs `sites = \"all\"`{needs} or `\"auto\"`");
+                "says where sites may be: needs `sites = \"all\"`, `\"ends\"` or `\"auto\"`";
             source.refuse_if(wall.sites == SitesName::Given, key, message)?;
         }
     }
@@ -120,11 +121,8 @@ fn candidates(
         (SitesName::Given | SitesName::Auto, _) => return Ok(Vec::new()),
         (SitesName::All, None) => CandidatePlaces::Middles,
         (SitesName::All, Some(every)) => CandidatePlaces::Every(every),
-        (SitesName::Ends, None) => CandidatePlaces::Ends,
-        (SitesName::Ends, Some(_)) => {
-            let message = "`sites = \"ends\"` has the ends of wide parts: even distances need \
-                           `\"all\"` or `\"auto\"`";
-            return Err(source.error("wall.sites_every_m", message));
+        (SitesName::Ends, every) => {
+            CandidatePlaces::Ends(every.map_or_else(|| of_little_sag(content), Spans::Given))
         }
     };
     let which = Candidates {
@@ -147,6 +145,19 @@ fn candidates(
     );
     source.refuse_if(found.len() > MOST_CANDIDATES, "wall.sites", message)?;
     Ok(found)
+}
+
+/// Spans that hardly sag through the wall of a file; of any length where the string does not bend.
+fn of_little_sag(content: &FileContent) -> Spans {
+    let string = &content.string;
+    let bending = string.bending.as_ref();
+    bending.map_or(Spans::Given(f64::INFINITY), |bending| Spans::OfLittleSag {
+        stiffness_by_weight: 1e9 * bending.youngs_modulus_gpa / (string.density_kg_m3 * GRAVITY),
+        clearance: content
+            .wall
+            .and_then(|wall| wall.clearance_mm)
+            .map(|it| 1e-3 * it),
+    })
 }
 
 impl Places {

@@ -92,8 +92,8 @@ pub struct WallTable {
     #[serde(skip_serializing_if = "is_default")]
     pub sites: SitesName,
     /// Of `"all"`: candidates are at every multiple of this distance from the bit, the bit
-    /// included; left out, where the string is wide. Of `"auto"`: sites are made there; left
-    /// out, every metre.
+    /// included; left out, where the string is wide. Of `"ends"`: no two are further apart; left out, as
+    /// far as the string hardly sags through its wall. Of `"auto"`: sites are made there; left out, every metre.
     #[schemars(range(min = 0.001, max = 2e4))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sites_every_m: Option<f64>,
@@ -129,7 +129,7 @@ pub enum SitesName {
     Given,
     /// At candidates all along the string, too.
     All,
-    /// At the ends of its wide parts, too, where a string touches that lies in its hole.
+    /// At the bit and the ends of its wide parts, too, where a string touches that lies in its hole.
     Ends,
     /// Also where a case goes through its wall, which it is run again for.
     Auto,

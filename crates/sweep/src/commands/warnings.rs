@@ -5,6 +5,7 @@ use crate::cli::MemoryArguments;
 use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
+use campaign::static_string::{BeyondWall, MORE_SITES};
 use campaign::words::counted;
 use limits::MOST_SITES;
 use results::log::Log;
@@ -36,6 +37,16 @@ pub fn warn_of_limits(sweep: &Sweep, terminal: Terminal) {
             "note: the friction that whirl of any sites together needs is not computed: there are \
              {sites} \
              sites, more than {MOST_SITES}"
+        ));
+    }
+}
+
+/// Warns of a string that lies in its hole on so few sites that it does not stay within its wall.
+pub fn warn_of_few_sites(sweep: &Sweep, terminal: Terminal) {
+    if let Some(beyond) = BeyondWall::far(&sweep.setting, &sweep.conditions) {
+        let words = beyond.words(sweep.content.units);
+        terminal.complain(&format!(
+            "warning: at rest the string goes {words}: {MORE_SITES}"
         ));
     }
 }

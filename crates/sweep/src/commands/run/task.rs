@@ -10,7 +10,7 @@ use crate::commands::prepare::{open, survey_cases};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 
-use crate::commands::warnings::{warn_of_limits, warn_of_sweep};
+use crate::commands::warnings::{warn_of_few_sites, warn_of_limits, warn_of_sweep};
 use crate::program::PROGRAM;
 use campaign::design::Design;
 use campaign::engine::{Shard, Survey};
@@ -53,6 +53,7 @@ impl<'a> Task<'a> {
         if !quiet {
             warn_of_sweep(sweep, terminal);
             warn_of_limits(sweep, terminal);
+            warn_of_few_sites(sweep, terminal);
         }
         let shard = arguments.shard.unwrap_or(Shard::WHOLE);
         if matches!(sweep.design, Design::Trace(_)) && !shard.is_whole() {

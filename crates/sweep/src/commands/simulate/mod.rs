@@ -15,7 +15,7 @@ use super::prepare::{naming_file, open, unique};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::warn_of_sweep;
+use super::warnings::{warn_of_few_sites, warn_of_sweep};
 use crate::cli::SimulateArguments;
 use campaign::engine::{ChoiceError, Instability, RunOptions};
 use campaign::follow::{FollowError, Following, KeptSystems};
@@ -33,6 +33,7 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
     let campaign = open(file, work, *full, false, terminal)?;
     let sweep = &campaign.sweep;
     warn_of_sweep(sweep, terminal);
+    warn_of_few_sites(sweep, terminal);
     let methods: Vec<usize> = (0..sweep.methods.len()).collect();
     let cases = unique(&arguments.case);
     let chosen = campaign.cases(&cases, &arguments.set, &methods);
