@@ -14,6 +14,7 @@ mod data;
 mod doubts;
 mod drive_limit;
 mod drive_torque;
+mod ends;
 mod finding;
 mod full_gauge;
 #[cfg(test)]

@@ -3,12 +3,10 @@
 use linear::well::GRAVITY;
 use linear::{Drillstring, Sites};
 
-use super::contacts::{CANDIDATES_TO, CandidatePlaces, Candidates, Spans, StringInHole};
+use super::contacts::{CANDIDATES_TO, CandidatePlaces, Candidates, MOST_CANDIDATES, StringInHole};
+use super::ends::Spans;
 use crate::quantities::LONGEST_STRING;
 use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
-
-/// More candidates than this are more than anybody waits for.
-const MOST_CANDIDATES: usize = 2000;
 
 /// The most sites listed in a message; of more, the nearest.
 const MOST_LISTED: usize = 12;
