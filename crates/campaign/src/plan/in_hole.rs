@@ -369,6 +369,14 @@ fn no_candidates_or_too_many_are_refused_with_their_line() {
         let idle = IN_HOLE.replace("sites = \"all\"", &format!("{name} = 9"));
         is_refused(&idle, name, &format!("wall.{name}"), message);
     }
+    let elsewhere = IN_HOLE.replace("sites = \"all\"", "hole_diameter_mm = 311");
+    let message = "unknown key `hole_diameter_mm`; known here: clearance_mm";
+    is_refused(
+        &elsewhere,
+        "hole_diameter_mm",
+        "wall.hole_diameter_mm",
+        message,
+    );
     let cutting = "[bit]\ntorque_dynamic_nm = 2000\n";
     is_refused(
         &(IN_HOLE.to_owned() + cutting),

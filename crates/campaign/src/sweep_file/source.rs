@@ -43,6 +43,15 @@ pub struct Source {
     size: u64,
 }
 
+/// An error about an unknown key, which is called as the file has it.
+fn as_written(mut error: SweepFileError, key: &str) -> SweepFileError {
+    let written = error.key.clone().unwrap_or_default();
+    let [name, written] = [key, &written]
+        .map(|key| format!("unknown key `{}`", key.rsplit('.').next().unwrap_or(key)));
+    error.message = error.message.replacen(&name, &written, 1);
+    error
+}
+
 impl Source {
     /// Reads a sweep file and, first, the file it names as its `base`.
     ///
@@ -124,7 +133,7 @@ impl Source {
             let path = error.path().to_string();
             let message = error.into_inner().message().trim().to_owned();
             let (key, message) = in_words(&path, &message, &keys_of::<T>());
-            self.error(&key, message)
+            as_written(self.error(&key, message), &key)
         })
     }
 
