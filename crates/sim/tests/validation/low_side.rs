@@ -607,3 +607,80 @@ fn val_springs_that_are_taken_back_bend_nothing() {
     let [most, _, greatest] = apart(&one, &other);
     assert!(most < 1e-6 * greatest, "{most} {greatest}");
 }
+
+/// What walls have stored, J.
+fn stored(place: [f64; 2]) -> f64 {
+    let pressed_in = (place[0].hypot(place[1]) - CLEARANCE).max(0.0);
+    0.4 * STIFFNESS * pressed_in.powf(2.5)
+}
+
+/// Knocked off its wall from all sides, without friction: walls give back what they store, their forces
+/// at rest included, and the string no more than it was given about its rest.
+#[test]
+fn val_a_string_that_is_knocked_off_its_low_side_balances_its_energy() {
+    for method in [
+        Method::Held,
+        Method::Quadrature,
+        Method::FiniteElement(FiniteElement::default()),
+    ] {
+        let simulator = simulator(&method, 1000.0, 20.0);
+        let mut scene = turning(0.0, 0.0, 20.0);
+        let lateral = scene.lateral.as_mut().unwrap();
+        let knock = |number: u32| Impulse {
+            site: (number as usize * 4 + 4) % 9,
+            amount: 3000.0,
+            start: 0.1 + f64::from(number),
+            duration: 0.02,
+            direction: 0.7 * f64::from(number),
+        };
+        lateral.impulses = (0..15).map(knock).collect();
+        let at_rest = lateral.lying.clone().unwrap();
+        let mut motion = Trajectory::default();
+        let simulated = simulator.simulate(&scene, Stopping::Full, Some(&mut motion));
+        simulated.unwrap();
+        let mut before = at_rest.positions.clone();
+        let begun: f64 = before.iter().map(|place| stored(*place)).sum();
+        let (mut by_walls, mut by_all, mut by_knocks) = (0.0, 0.0, 0.0);
+        let mut steps: Vec<[f64; 2]> = Vec::new();
+        let (mut most, mut in_the_air) = (0.0_f64, 0);
+        let offset = method.collocation_offset();
+        // Of a step by Newmark's scheme the energy is that of the mean of forces at its ends.
+        let earlier_part = match method {
+            Method::FiniteElement(_) => 0.5,
+            _ => 0.0,
+        };
+        for step in 0..motion.positions[0].len() {
+            for (site, place) in before.iter_mut().enumerate() {
+                let (now, wall) = (motion.positions[site][step], motion.wall_forces[site][step]);
+                in_the_air += usize::from(wall == [0.0; 2]);
+                // What is known in the middle of a step moves straight on to its end.
+                let end = [0, 1].map(|axis| (now[axis] - offset * place[axis]) / (1.0 - offset));
+                for axis in 0..2 {
+                    let moved = end[axis] - place[axis];
+                    let (beyond_rest, at_rest) =
+                        (motion.forces[axis][site][step], at_rest.forces[site][axis]);
+                    by_walls += wall[axis] * moved;
+                    let earlier = step.checked_sub(1);
+                    let earlier = earlier.map_or(0.0, |it| motion.forces[axis][site][it]);
+                    let force = beyond_rest + earlier_part * (earlier - beyond_rest);
+                    by_all += force * moved;
+                    by_knocks += (beyond_rest + at_rest - wall[axis]) * moved;
+                }
+                *place = end;
+            }
+            most = most.max(by_knocks);
+            let in_walls: f64 = before.iter().map(|place| stored(*place)).sum();
+            steps.push([by_walls + in_walls - begun, by_all]);
+        }
+        let name = method.name();
+        assert!(in_the_air > 1000, "{name}: {in_the_air}");
+        for (step, [made, given]) in steps.into_iter().enumerate() {
+            assert!(made <= 1e-9 * most, "{name} {step}: {made} of {most}");
+            assert!(given >= -1e-6 * most, "{name} {step}: {given} of {most}");
+            // Walls lose nothing.
+            if matches!(method, Method::Held) {
+                assert!(made >= -1e-9 * most, "{name} {step}: {made} of {most}");
+            }
+        }
+    }
+}
