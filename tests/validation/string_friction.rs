@@ -567,3 +567,39 @@ fn val_three_methods_agree_with_friction_a_drive_and_a_wall() {
         );
     }
 }
+
+/// Pipe that lies on sites up to some height, which may cut a piece: μ w sin(I) r L of the whole string,
+/// and what its damping takes.
+#[test]
+fn val_surface_torque_is_of_contacts_below_and_friction_above() {
+    let [length, inner, outer, damping, friction] = [400.0_f64, 0.054, 0.0635, 0.1, 0.2];
+    let weight = 7850.0 * 9.80665 * std::f64::consts::PI * (outer * outer - inner * inner);
+    let speed = std::f64::consts::TAU;
+    let across = weight * 60f64.to_radians().sin();
+    let expected = length * (friction * across * outer + damping * speed);
+    let string = format!(
+        "surface_speed_rpm = 60\nsurface_torque = true\ntime_s = 20\nsampling_frequency_hz = 400\n\
+         methods = [\"quadrature\"]\n[string]\nshear_modulus_gpa = 80\ndensity_kg_m3 = 7850\n\
+         torsional_damping_nms_rad_m = {damping}\n\
+         bending = {{ youngs_modulus_gpa = 210, damping_ns_m2 = 2000 }}\n[[string.sections]]\n\
+         repeat = 1\nparts = [{{ length_m = {length}, inner_radius_m = {inner}, \
+         outer_radius_m = {outer} }}]\n[well]\ninclination_deg = 60\n[string_friction]\n\
+         static_coefficient = {friction}\npressed_by = \"weight\"\npieces = 10\n"
+    );
+    let on_sites = |to: f64| {
+        format!(
+            "{string}[wall]\nclearance_mm = 40\nstiffness_gn_m15 = 1\nfriction = {friction}\n\
+             sites = \"ends\"\nsites_to_m = {to}\n"
+        )
+    };
+    let files = [158.0, 172.0, 190.0].map(on_sites);
+    for text in [string.clone()].iter().chain(&files) {
+        let place = Workplace::new();
+        place.write("rubs.toml", text);
+        let answer = place.sweep(&["simulate", "rubs.toml", "--out", "out"]);
+        assert_eq!(answer.code, 0, "{}", answer.errors);
+        let table = std::fs::read_to_string(place.path("out/case.csv")).unwrap();
+        let found = number(&rows(&table)[0], "surface_torque_mean_nm");
+        assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
+    }
+}
