@@ -3,18 +3,11 @@
 
 use linear::{Drillstring, HoleSection};
 
-use super::ends::Spans;
 use super::full_gauge::{self, depths};
 use crate::sweep_file::SectionTable;
 
 /// Radii that differ by no more than this, m, are the same: one may be given in inches.
 pub(super) const SAME_RADIUS: f64 = 1e-6;
-
-/// Candidates are given to a millimetre: the place of a stabiliser is not known more finely.
-pub const CANDIDATES_TO: f64 = 1e-3;
-
-/// More candidates than this are more than anybody waits for.
-pub const MOST_CANDIDATES: usize = 2000;
 
 /// A place where the string may touch the wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,27 +19,6 @@ pub struct Contact {
     /// Clearance that the hole leaves, mm; none where there is no hole. Not positive where the
     /// string does not fit.
     pub clearance_mm: Option<f64>,
-}
-
-/// Which places are candidates.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Candidates {
-    /// By what they are chosen.
-    pub at: CandidatePlaces,
-    /// How far up from the bit, m.
-    pub to: f64,
-}
-
-/// By what candidates are chosen.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum CandidatePlaces {
-    /// All of these many metres, from the bit up.
-    Every(f64),
-    /// The middle of every wide part: what is thrown against its wall touches about there.
-    Middles,
-    /// The bit, both ends of every wide part, and the middle of blades: there a string touches that
-    /// lies in its hole; between them others wherever a span is too long.
-    Ends(Spans),
 }
 
 /// A part of the string that is as wide as its hole, or wider.
@@ -123,28 +95,6 @@ impl StringInHole<'_> {
             .last()
             .and_then(|section| section.parts.last());
         lowest.map_or(0.0, |part| part.length_m)
-    }
-
-    /// The candidates, from the bit up.
-    pub fn candidates(&self, which: Candidates) -> impl Iterator<Item = Contact> {
-        let same_place = self.string.same_place();
-        let below_surface = self.string.length() - same_place;
-        let found: Box<dyn Iterator<Item = f64>> = match which.at {
-            CandidatePlaces::Every(every) => {
-                Box::new((0..).map(move |count| f64::from(count) * every))
-            }
-            CandidatePlaces::Middles => Box::new(self.middles_of_wide_parts(which.to)),
-            CandidatePlaces::Ends(spans) => Box::new(
-                self.ends_and_between(which.to.min(below_surface), spans)
-                    .into_iter(),
-            ),
-        };
-        found
-            .map(|distance| to_decimals(distance, 1.0 / CANDIDATES_TO))
-            .take_while(move |distance| {
-                *distance <= which.to + same_place && *distance < below_surface
-            })
-            .map(|distance| self.contact(distance))
     }
 
     /// The clearance along the string: corners by depth and clearance, m, from the surface down to
@@ -224,28 +174,6 @@ impl StringInHole<'_> {
             .reduce(f64::min)
     }
 
-    /// The middle of every part that is wider than a neighbour, or whose radius of contact is
-    /// given, up to a distance from the bit (m).
-    fn middles_of_wide_parts(&self, to: f64) -> impl Iterator<Item = f64> {
-        let mut parts = self.parts().peekable();
-        let mut below = None;
-        std::iter::from_fn(move || {
-            loop {
-                let part = parts.next()?;
-                if part.ends[0] > to {
-                    return None;
-                }
-                let above = parts.peek().map(|above| above.radius);
-                let mut neighbours = [below.replace(part.radius), above].into_iter().flatten();
-                if part.is_given
-                    || neighbours.any(|neighbour| part.radius > neighbour + SAME_RADIUS)
-                {
-                    return Some(0.5 * (part.ends[0] + part.ends[1]));
-                }
-            }
-        })
-    }
-
     /// All parts, from the bit up.
     pub(super) fn parts(&self) -> impl Iterator<Item = Hanging> {
         let mut end = 0.0;
@@ -274,7 +202,7 @@ impl StringInHole<'_> {
 
 /// The nearest decimal in a number of parts of one, as a person would write it: sums and
 /// differences of lengths are off by a rounding.
-fn to_decimals(value: f64, parts: f64) -> f64 {
+pub(super) fn to_decimals(value: f64, parts: f64) -> f64 {
     (value * parts).round() / parts
 }
 
@@ -325,19 +253,6 @@ pub(super) mod tests {
         sections.iter().map(section).collect()
     }
 
-    /// Places of candidates on a string that hangs free.
-    fn candidates(sections: &[SectionTable], every: Option<f64>, to: f64) -> Vec<f64> {
-        let string = string(sections);
-        let in_hole = StringInHole {
-            string: &string,
-            sections,
-            hole: &[],
-        };
-        let at = every.map_or(CandidatePlaces::Middles, CandidatePlaces::Every);
-        let found = in_hole.candidates(Candidates { at, to });
-        found.map(|it| it.distance_from_bit).collect()
-    }
-
     /// Pipe with joints, collars, a stabiliser and a bit: 47.5 m.
     pub fn assembly() -> Vec<SectionTable> {
         vec![
@@ -346,47 +261,6 @@ pub(super) mod tests {
             section(1, &[(1.0, 0.1, Some(0.15))]),
             section(1, &[(0.5, 0.1, None)]),
         ]
-    }
-
-    #[test]
-    fn candidates_are_where_a_string_is_wider_than_its_neighbours() {
-        let none: [f64; 0] = [];
-        let everywhere = f64::INFINITY;
-        // Of two collars the upper, which is below pipe; of the joints each.
-        let all = [1.0, 13.5, 17.75, 27.75, 37.75];
-        assert_eq!(candidates(&assembly(), None, everywhere), all);
-        assert_eq!(candidates(&assembly(), None, 17.75), all[..3]);
-        assert_eq!(candidates(&assembly(), None, 17.7), all[..2]);
-        let uniform = [
-            section(5, &[(9.0, 0.1, None)]),
-            section(1, &[(3.0, 0.1, None)]),
-        ];
-        assert_eq!(candidates(&uniform, None, everywhere), none);
-        // One radius, given in inches and in metres.
-        let same = [section(
-            1,
-            &[(9.0, 0.1016, None), (9.0, 4.0 * 0.0254 + 1e-12, None)],
-        )];
-        assert_eq!(candidates(&same, None, everywhere), none);
-        // A wear band touches where it is no wider than its neighbours.
-        let band = [section(2, &[(9.0, 0.1, None), (1.0, 0.09, Some(0.1))])];
-        assert_eq!(candidates(&band, None, everywhere), [0.5, 10.5]);
-        let taper = [section(
-            1,
-            &[(9.0, 0.1, None), (3.0, 0.09, None), (1.0, 0.08, None)],
-        )];
-        assert_eq!(candidates(&taper, None, everywhere), [2.5, 8.5]);
-    }
-
-    #[test]
-    fn candidates_at_even_distances_begin_at_the_bit_and_end_below_the_surface() {
-        let even = candidates(&assembly(), Some(9.5), f64::INFINITY);
-        assert_eq!(even, [0.0, 9.5, 19.0, 28.5, 38.0]);
-        assert_eq!(
-            candidates(&assembly(), Some(0.1), 0.3),
-            [0.0, 0.1, 0.2, 0.3]
-        );
-        assert_eq!(candidates(&assembly(), Some(100.0), f64::INFINITY), [0.0]);
     }
 
     /// Casing, open hole with a washout.
@@ -454,7 +328,7 @@ pub(super) mod tests {
 
     prop_compose! {
         /// Strings of 1 to 4 sections of 1 to 20 cells.
-        fn strings()(sections in proptest::collection::vec(
+        pub fn strings()(sections in proptest::collection::vec(
             (1usize..20, proptest::collection::vec((0.1f64..12.0, 0.05f64..0.2, proptest::option::of(0.2f64..0.3)), 1..4)),
             1..5,
         )) -> Vec<SectionTable> {
@@ -480,28 +354,6 @@ pub(super) mod tests {
                 });
                 let widest = there.map(|part| part.radius).reduce(f64::max);
                 prop_assert_eq!(Some(in_hole.contact(distance).radius), widest);
-            }
-        }
-
-        /// For every part it is decided by hand whether it is wide.
-        #[test]
-        fn every_wide_part_is_a_candidate_and_no_other(sections in strings()) {
-            let string = string(&sections);
-            let in_hole = StringInHole { string: &string, sections: &sections, hole: &[] };
-            let parts: Vec<Hanging> = in_hole.parts().collect();
-            let middles = parts.iter().enumerate().filter(|(index, part)| {
-                let below = index.checked_sub(1).map(|below| parts[below].radius);
-                let above = parts.get(index + 1).map(|above| above.radius);
-                let least = below.into_iter().chain(above).fold(f64::INFINITY, f64::min);
-                part.is_given || part.radius > least + SAME_RADIUS
-            });
-            let middles: Vec<f64> = middles
-                .map(|(_, part)| 0.5 * (part.ends[0] + part.ends[1]))
-                .collect();
-            let found = candidates(&sections, None, f64::INFINITY);
-            prop_assert_eq!(found.len(), middles.len());
-            for (found, middle) in found.iter().zip(middles) {
-                prop_assert!((found - middle).abs() <= 0.51 * CANDIDATES_TO);
             }
         }
     }

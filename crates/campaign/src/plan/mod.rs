@@ -4,6 +4,7 @@
 mod axial_force;
 mod bit;
 mod bit_doubts;
+mod candidates;
 mod certify;
 mod choice;
 mod compare;
@@ -14,7 +15,6 @@ mod data;
 mod doubts;
 mod drive_limit;
 mod drive_torque;
-mod ends;
 mod finding;
 mod full_gauge;
 #[cfg(test)]

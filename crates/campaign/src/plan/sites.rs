@@ -3,8 +3,8 @@
 use linear::well::GRAVITY;
 use linear::{Drillstring, Sites};
 
-use super::contacts::{CANDIDATES_TO, CandidatePlaces, Candidates, MOST_CANDIDATES, StringInHole};
-use super::ends::Spans;
+use super::candidates::{CANDIDATES_TO, CandidatePlaces, Candidates, MOST_CANDIDATES, Spans};
+use super::contacts::StringInHole;
 use crate::quantities::LONGEST_STRING;
 use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 

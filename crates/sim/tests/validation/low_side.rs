@@ -614,10 +614,10 @@ fn stored(place: [f64; 2]) -> f64 {
     0.4 * STIFFNESS * pressed_in.powf(2.5)
 }
 
-/// Knocked off its wall from all sides, without friction: walls give back what they store, their forces
+/// Pushed off its wall from all sides, without friction: walls give back what they store, their forces
 /// at rest included, and the string no more than it was given about its rest.
 #[test]
-fn val_a_string_that_is_knocked_off_its_low_side_balances_its_energy() {
+fn val_a_string_that_is_pushed_off_its_low_side_balances_its_energy() {
     for method in [
         Method::Held,
         Method::Quadrature,
@@ -626,21 +626,21 @@ fn val_a_string_that_is_knocked_off_its_low_side_balances_its_energy() {
         let simulator = simulator(&method, 1000.0, 20.0);
         let mut scene = turning(0.0, 0.0, 20.0);
         let lateral = scene.lateral.as_mut().unwrap();
-        let knock = |number: u32| Impulse {
+        let impulse = |number: u32| Impulse {
             site: (number as usize * 4 + 4) % 9,
             amount: 3000.0,
             start: 0.1 + f64::from(number),
             duration: 0.02,
             direction: 0.7 * f64::from(number),
         };
-        lateral.impulses = (0..15).map(knock).collect();
+        lateral.impulses = (0..15).map(impulse).collect();
         let at_rest = lateral.lying.clone().unwrap();
         let mut motion = Trajectory::default();
         let simulated = simulator.simulate(&scene, Stopping::Full, Some(&mut motion));
         simulated.unwrap();
         let mut before = at_rest.positions.clone();
         let begun: f64 = before.iter().map(|place| stored(*place)).sum();
-        let (mut by_walls, mut by_all, mut by_knocks) = (0.0, 0.0, 0.0);
+        let (mut by_walls, mut by_all, mut by_impulses) = (0.0, 0.0, 0.0);
         let mut steps: Vec<[f64; 2]> = Vec::new();
         let (mut most, mut in_the_air) = (0.0_f64, 0);
         let offset = method.collocation_offset();
@@ -664,11 +664,11 @@ fn val_a_string_that_is_knocked_off_its_low_side_balances_its_energy() {
                     let earlier = earlier.map_or(0.0, |it| motion.forces[axis][site][it]);
                     let force = beyond_rest + earlier_part * (earlier - beyond_rest);
                     by_all += force * moved;
-                    by_knocks += (beyond_rest + at_rest - wall[axis]) * moved;
+                    by_impulses += (beyond_rest + at_rest - wall[axis]) * moved;
                 }
                 *place = end;
             }
-            most = most.max(by_knocks);
+            most = most.max(by_impulses);
             let in_walls: f64 = before.iter().map(|place| stored(*place)).sum();
             steps.push([by_walls + in_walls - begun, by_all]);
         }
