@@ -2,7 +2,7 @@
 //! how that stresses it, in the units of files.
 
 use serde::Serialize;
-use statics::{Bit, ContactState, LyingString, Place, StaticState, StaticsError};
+use statics::{Bit, Contact, ContactState, LyingString, Place, StaticState, StaticsError};
 
 use crate::engine::Clearances;
 use crate::plan::{Conditions, Setting};
@@ -293,20 +293,26 @@ impl BeyondWall {
 
     /// As far as it is as in a longer model and has sites, unless the bit is the only one.
     fn of(setting: &Setting, conditions: &Conditions, state: &StaticState) -> Option<Self> {
-        let sites = state.contacts().iter().map(|it| &it.contact);
-        let sites = sites.map(|it| (it.distance_from_bit, it.clearance));
+        // One that is held in the middle has no wall.
+        let contacts = state.contacts().iter();
+        let contacts: Vec<&Contact> = contacts
+            .filter(|it| it.displacement != [0.0; 2])
+            .map(|it| &it.contact)
+            .collect();
+        let sites = contacts
+            .iter()
+            .map(|it| (it.distance_from_bit, it.clearance));
         let walls = Clearances::around(setting, conditions, sites)?;
-        let contacts = state.contacts();
         let length = setting.string.length();
-        let highest = contacts.first().map(|it| it.contact.distance_from_bit);
+        let highest = contacts.first().map(|it| it.distance_from_bit);
         let highest = highest.filter(|it| *it > 0.0);
         let to = trusted(state, length).min(highest.unwrap_or(length));
         let is_between = |place: &Place| {
-            let is_site =
-                |it: &ContactState| it.contact.distance_from_bit == place.distance_from_bit;
-            place.distance_from_bit <= to && !contacts.iter().any(is_site)
+            let mut sites = contacts.iter();
+            let is_site = sites.any(|it| it.distance_from_bit == place.distance_from_bit);
+            place.distance_from_bit <= to && !is_site
         };
-        let clearances = contacts.iter().map(|it| it.contact.clearance);
+        let clearances = contacts.iter().map(|it| it.clearance);
         let greatest = clearances.fold(0.0, f64::max);
         let beyond = |place: Place| {
             let clearance = walls.at(length - place.distance_from_bit)?;
@@ -408,5 +414,10 @@ mod tests {
         let sweep = in_hole(&[ONE_PIPE, COLLAR], 60.0, 12.25, sites);
         let beyond = BeyondWall::far(&sweep.setting, &sweep.conditions).unwrap();
         assert!((20.0..40.0).contains(&beyond.from_bit_m), "{beyond:?}");
+        // A bit that is held in the middle of its hole, and no site, has no clearance to compare with.
+        let sites = "[[sites]]\ndistance_from_bit_m = 24\n[[sites]]\ndistance_from_bit_m = 48\n";
+        let sweep = in_hole(&[ONE_PIPE, COLLAR], 60.0, 12.25, sites);
+        let pinned = StaticString::of(&sweep.setting, &sweep.conditions, Some(Bit::Pinned));
+        assert!(pinned.unwrap().unwrap().beyond.unwrap().is_far);
     }
 }

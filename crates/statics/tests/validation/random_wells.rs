@@ -141,8 +141,9 @@ fn val_contacts_bear_what_presses_random_strings_in_random_wells() {
     }
 }
 
-/// Under most of the weight that buckles strings held at all contacts, up to hundreds of times what
-/// buckles them free. Of 1800 such states two were not found, at 99 % of that weight.
+/// Under most of the weight that buckles strings held at all contacts, which is far more than what
+/// buckles them free. Of 40 such states of each of 45 strings two were not found, at 96 and 99 % of that
+/// weight.
 #[test]
 fn val_random_strings_have_a_state_up_to_where_they_buckle_between_contacts() {
     let mut unstable = 0;
