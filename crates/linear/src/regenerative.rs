@@ -84,12 +84,21 @@ struct AtBit<'a> {
     round_trip: f64,
 }
 
-/// Speeds of the bit per load at iω, in torsion and along the axis, for steps of ω.
+/// What does not depend on the cut, for steps of ω.
 #[derive(Debug, Default)]
 struct Samples {
-    values: Vec<[Complex64; 2]>,
+    values: Vec<Sample>,
     /// From each on, the greatest size of each motion.
     greatest_from_here: Vec<[f64; 2]>,
+}
+
+/// What does not depend on the cut at iω.
+#[derive(Debug, Clone, Copy)]
+struct Sample {
+    /// Speeds of the bit per load in torsion and along the axis.
+    mobilities: [Complex64; 2],
+    /// (1 − r_a)(1 − r_t)/4.
+    parts: Complex64,
 }
 
 /// What is known at a place on the imaginary axis.
@@ -98,8 +107,6 @@ struct Place {
     omega: f64,
     /// D (1 − r_a)(1 − r_t)/4.
     product: Complex64,
-    /// (1 − r)/2 of each motion: the arguments of both are within a quarter turn.
-    parts: [Complex64; 2],
 }
 
 /// Changes of an argument are followed in steps no larger than this, rad.
@@ -117,12 +124,15 @@ const ENOUGH: f64 = 0.5;
 /// 0.6, and no count of 1500 changed with samples eight times as far (`val_roots_beyond_the_samples_do_not_grow`).
 const SHARPER: f64 = 4.0;
 
-/// Most steps along the axis: some seconds of work, and 24 MB.
+/// Most steps along the axis: some seconds of work, and 32 MB.
 const MOST_SAMPLES: usize = 1 << 19;
 
 /// Samples that are made at once, and groups of them that a core makes in one go.
 const BLOCK: usize = 4096;
 const GROUPS_AT_ONCE: usize = 64;
+
+/// Samples along which e^(−iωt) is turned on by products: rounding adds up to as many units of it.
+const TURNED_AT_ONCE: usize = 64;
 
 /// The first sample, in steps: a motion that is held at rest has a pole there.
 const FIRST: f64 = 1e-6;
@@ -156,6 +166,11 @@ impl AtBit<'_> {
     fn mobility<T: Number>(&self, s: T) -> T {
         self.network.admittance(s).from_torque[(0, 0)]
     }
+
+    /// (1 − r)/2 = 1/(1 + Zg), whose argument is within a quarter turn.
+    fn part(&self, mobility: Complex64) -> Complex64 {
+        (mobility * self.impedance + 1.0).inv()
+    }
 }
 
 impl<'a> CuttingLoop<'a> {
@@ -183,7 +198,7 @@ impl<'a> CuttingLoop<'a> {
 
     /// Samples up to where no root of a cut can grow, by the sharpest resonances of the last octave.
     fn sample(&self, cut: &SteadyCut) -> Samples {
-        let mut values: Vec<[Complex64; 2]> = Vec::new();
+        let mut values: Vec<Sample> = Vec::new();
         while values.len() < MOST_SAMPLES {
             let begun = values.len();
             let groups = parallel::map(BLOCK / Lanes::LANES, GROUPS_AT_ONCE, |group| {
@@ -192,7 +207,7 @@ impl<'a> CuttingLoop<'a> {
                 [&self.torsion, &self.axial].map(|motion| motion.mobility(s))
             });
             values.extend(groups.into_iter().flat_map(|motions| {
-                (0..Lanes::LANES).map(move |lane| motions.map(|motion| motion.lane(lane)))
+                (0..Lanes::LANES).map(move |lane| self.at(motions.map(|motion| motion.lane(lane))))
             }));
             let octave = &values[values.len() / 2..];
             let greatest = octave.iter().fold([0.0; 2], larger);
@@ -206,6 +221,18 @@ impl<'a> CuttingLoop<'a> {
     /// ω of a sample, rad/s.
     fn omega(&self, index: usize) -> f64 {
         (index as f64 + FIRST) * self.step
+    }
+
+    fn at(&self, mobilities: [Complex64; 2]) -> Sample {
+        let [torsion, axial] = self.parts(mobilities);
+        Sample {
+            mobilities,
+            parts: torsion * axial,
+        }
+    }
+
+    fn parts(&self, [torsion, axial]: [Complex64; 2]) -> [Complex64; 2] {
+        [self.torsion.part(torsion), self.axial.part(axial)]
     }
 
     /// D(s).
@@ -232,18 +259,31 @@ impl<'a> CuttingLoop<'a> {
             }
         };
         let end = self.end(samples, cut)?;
-        let place = |index: usize| self.place(cut, self.omega(index), samples.values[index]);
-        let first = place(0);
+        let place = |index: usize, delayed: Complex64| {
+            Place::of(cut, self.omega(index), &samples.values[index], delayed)
+        };
+        let delayed_at = |index: usize| delayed(Complex64::new(0.0, self.omega(index)), cut.delay);
+        let first = place(0, delayed_at(0));
+        let turn = Complex64::cis(-self.step * cut.delay);
+        let mut phase = Complex64::ONE;
         let mut here = first;
         let mut turns = 0;
         for index in 1..=end {
-            let next = place(index);
+            let omega = self.omega(index);
+            phase = match index % TURNED_AT_ONCE {
+                1 => Complex64::cis(-omega * cut.delay),
+                _ => phase * turn,
+            };
+            // (1 − e^(−st))/s.
+            let gap = 1.0 - phase;
+            let next = place(index, Complex64::new(gap.im, -gap.re) / omega);
             turns += self.turns(cut, here, next, MOST_HALVINGS)?;
             here = next;
         }
         let whole = f64::from(turns) * std::f64::consts::TAU;
         let turned = whole + here.product.arg() - first.product.arg();
-        let added: f64 = here.parts.iter().map(|part| part.arg()).sum();
+        let parts = self.parts(samples.values[end].mobilities);
+        let added: f64 = parts.iter().map(|part| part.arg()).sum();
         let roots = ((added - turned) / std::f64::consts::PI).round();
         (roots >= 0.0).then_some(roots as usize)
     }
@@ -265,21 +305,6 @@ impl<'a> CuttingLoop<'a> {
         Some(low).filter(|end| *end < count)
     }
 
-    fn place(&self, cut: &SteadyCut, omega: f64, mobilities: [Complex64; 2]) -> Place {
-        let [torsion, axial] = mobilities;
-        // (1 − r)/2 = 1/(1 + Zg).
-        let parts = [
-            (torsion * self.torsion.impedance + 1.0).inv(),
-            (axial * self.axial.impedance + 1.0).inv(),
-        ];
-        let s = Complex64::new(0.0, omega);
-        Place {
-            omega,
-            product: parts[0] * parts[1] * (delayed(s, cut.delay) * fed(cut, mobilities) + 1.0),
-            parts,
-        }
-    }
-
     /// How often the product passes the negative real axis between two places, counted where its
     /// argument grows.
     fn turns(&self, cut: &SteadyCut, from: Place, to: Place, halvings: u32) -> Option<i32> {
@@ -295,7 +320,9 @@ impl<'a> CuttingLoop<'a> {
             });
         }
         let omega = 0.5 * (from.omega + to.omega);
-        let middle = self.place(cut, omega, self.mobilities(Complex64::new(0.0, omega)));
+        let s = Complex64::new(0.0, omega);
+        let middle = self.at(self.mobilities(s));
+        let middle = Place::of(cut, omega, &middle, delayed(s, cut.delay));
         let left = halvings.checked_sub(1)?;
         Some(self.turns(cut, from, middle, left)? + self.turns(cut, middle, to, left)?)
     }
@@ -413,14 +440,24 @@ fn most_fed(cut: &SteadyCut, [torsion, axial]: [f64; 2]) -> f64 {
 }
 
 /// The larger sizes of each motion.
-fn larger(greatest: [f64; 2], mobilities: &[Complex64; 2]) -> [f64; 2] {
-    std::array::from_fn(|motion| greatest[motion].max(mobilities[motion].norm()))
+fn larger(greatest: [f64; 2], sample: &Sample) -> [f64; 2] {
+    std::array::from_fn(|motion| greatest[motion].max(sample.mobilities[motion].norm()))
+}
+
+impl Place {
+    /// With (1 − e^(−st))/s, `delayed`.
+    fn of(cut: &SteadyCut, omega: f64, sample: &Sample, delayed: Complex64) -> Self {
+        Self {
+            omega,
+            product: sample.parts * (delayed * fed(cut, sample.mobilities) + 1.0),
+        }
+    }
 }
 
 impl Samples {
-    fn of(values: Vec<[Complex64; 2]>) -> Self {
-        let sizes = values.iter().rev().scan([0.0; 2], |greatest, mobilities| {
-            *greatest = larger(*greatest, mobilities);
+    fn of(values: Vec<Sample>) -> Self {
+        let sizes = values.iter().rev().scan([0.0; 2], |greatest, sample| {
+            *greatest = larger(*greatest, sample);
             Some(*greatest)
         });
         let mut greatest_from_here: Vec<[f64; 2]> = sizes.collect();

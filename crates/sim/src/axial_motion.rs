@@ -76,6 +76,7 @@ impl<'a> AxialMotion<'a> {
         let compliance = self.line.compliance;
         let driven = match self.steady {
             Some([rate, weight]) => rate + compliance * weight,
+            None if self.scene.feed == 0.0 => 0.0,
             None => self.scene.feed * self.lines.surface.at(step),
         };
         self.line.free_speed = past[0] + driven + compliance * self.kick[1];

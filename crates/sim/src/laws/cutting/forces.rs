@@ -22,6 +22,10 @@ pub(crate) struct CuttingForces {
 /// Steps of a solver, far more than it takes.
 const MOST_STEPS: usize = 160;
 
+/// A speed is found where it leaves no more than this of the free speed: on a straight piece of the
+/// law one step of Newton's method leaves a tenth of it, by rounding.
+const FOUND: f64 = 1e-13;
+
 /// A law is met where it leaves no more than this of the free speed.
 const MET: f64 = 1e-12;
 
@@ -78,7 +82,6 @@ impl CuttingForces {
             torque: line.free_speed / line.compliance,
             ..in_step(held)
         };
-        let held = at(0.0);
         // Where flats land all at once, or a blade meets the ledge at the end of its own cut, torque
         // jumps: what it is follows from the load line.
         let step = |trial: Trial| {
@@ -94,6 +97,7 @@ impl CuttingForces {
         };
         if line.free_speed <= 0.0 {
             // Rock keeps a bit from turning back; in the air it does.
+            let held = at(0.0);
             return match held.advance.touches {
                 true => stuck(held),
                 false => CutStep {
@@ -104,16 +108,18 @@ impl CuttingForces {
             };
         }
         let is_steep = self.may_be_steep(place, face, line, axial);
-        if is_steep && place.speed > 0.0 {
-            if let Some(found) = self.fastest(place, face, (line, axial), &at) {
-                return step(found);
+        let found = match is_steep && place.speed > 0.0 {
+            true => (self.fastest(place, face, (line, axial), &at)).unwrap_or_else(|| at(0.0)),
+            false => {
+                let guess = place.speed.clamp(0.0, line.free_speed);
+                let [standing, free] = [0.0, line.free_speed].map(End::untried);
+                solve([standing, free], guess, at)
             }
+        };
+        match found.speed > 0.0 {
+            true => step(found),
+            false => stuck(found),
         }
-        if held.residual <= 0.0 {
-            return stuck(held);
-        }
-        let guess = place.speed.clamp(0.0, line.free_speed);
-        step(solve(held, line.free_speed, guess, at))
     }
 
     /// Whether the torque may fall with speed as steeply as the load line, as the rock before the bit
@@ -145,7 +151,7 @@ impl CuttingForces {
         for angle in face.corners_between(place.angle, reach) {
             let trial = at((angle - place.angle) / axial.within);
             if trial.residual > 0.0 {
-                return Some(solve(trial, above, above, at));
+                return Some(solve([trial.speed, above].map(End::tried), above, at));
             }
             above = trial.speed;
         }
@@ -217,29 +223,61 @@ impl CuttingForces {
     }
 }
 
-/// The speed between that of a trial, where the residual is positive, and one above, where it is
-/// not, by Newton's method from a guess, kept between both.
-fn solve(low: Trial, high: f64, guess: f64, at: impl Fn(f64) -> Trial) -> Trial {
-    let (mut low, mut high) = (low.speed, high);
-    let scale = high.abs().max(f64::MIN_POSITIVE);
-    let mut next = guess;
-    let mut found = at(next);
+/// An end of the speeds between which one is looked for, rad/s.
+#[derive(Clone, Copy)]
+struct End {
+    speed: f64,
+    /// Whether the sign of the residual is known there.
+    is_tried: bool,
+}
+
+impl End {
+    fn tried(speed: f64) -> Self {
+        Self {
+            speed,
+            is_tried: true,
+        }
+    }
+
+    fn untried(speed: f64) -> Self {
+        Self {
+            speed,
+            is_tried: false,
+        }
+    }
+}
+
+/// The speed between two at which the residual changes its sign, from positive to negative, by
+/// Newton's method from a guess, kept between both; the lower one where it is negative there, too.
+/// Ends that were not tried are tried where Newton's method leads to them.
+fn solve([mut low, mut high]: [End; 2], guess: f64, at: impl Fn(f64) -> Trial) -> Trial {
+    let scale = high.speed.abs().max(f64::MIN_POSITIVE);
+    let mut found = at(guess);
     let mut before = f64::INFINITY;
     for _ in 0..MOST_STEPS {
-        if found.residual.abs() <= ROUNDING * scale || high - low <= ROUNDING * scale {
-            break;
+        let is_at_low = found.speed == low.speed && found.residual <= 0.0;
+        if found.residual.abs() <= FOUND * scale || is_at_low {
+            return found;
         }
-        if found.residual > 0.0 {
-            low = found.speed;
-        } else {
-            high = found.speed;
+        match found.residual > 0.0 {
+            true => low = End::tried(found.speed),
+            false => high = End::tried(found.speed),
         }
         let newton = found.speed - found.residual / found.slope;
         // A corner may make it creep.
         let creeps = found.residual.abs() > 0.5 * before;
-        next = match newton > low && newton < high && !creeps {
-            true => newton,
-            false => 0.5 * (low + high),
+        let is_between = newton > low.speed && newton < high.speed;
+        let is_narrow = high.speed - low.speed <= ROUNDING * scale;
+        let next = if !low.is_tried && (newton <= low.speed || is_narrow) {
+            low.speed
+        } else if !high.is_tried && newton >= high.speed {
+            high.speed
+        } else if is_narrow {
+            break;
+        } else if is_between && !creeps {
+            newton
+        } else {
+            0.5 * (low.speed + high.speed)
         };
         before = found.residual.abs();
         found = at(next);
