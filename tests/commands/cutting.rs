@@ -35,6 +35,17 @@ fn before_design(more: &str) -> String {
 fn what_does_not_go_together_with_cutting_is_refused_by_its_key() {
     let first = |key: &str| with(CUTTING, "title = ", &format!("{key}\ntitle = "));
     let friction = "[well]\nsurvey = \"survey.csv\"\n[string_friction]\nstatic_coefficient = 0.3";
+    let fed = with(
+        CUTTING,
+        "weight_on_bit_kn = 20\n",
+        "[feed]\nkind = \"speed\"\n",
+    );
+    let fed = with(
+        &fed,
+        "weight_on_bit_kn = { values = [10, 30] }",
+        "feed_m_h = { values = [3, 5] }",
+    );
+    let fed_and_rubbing = with(&fed, "[design]\n", &format!("{friction}\n[design]\n"));
     let axis = |axis: &str| format!("{CUTTING}{axis} = {{ values = [1, 2] }}\n");
     let hilbert = with(CUTTING, "\"quadrature\"", "\"hilbert\"");
     for (text, key, words) in [
@@ -45,11 +56,7 @@ fn what_does_not_go_together_with_cutting_is_refused_by_its_key() {
         ),
         (first("start = \"stuck\""), "start", "begins at rest"),
         (first("start = \"both\""), "start", "begins at rest"),
-        (
-            before_design(friction),
-            "string_friction",
-            "nothing rubs along the string yet",
-        ),
+        (fed_and_rubbing, "feed.kind", "depends on the weight on bit"),
         (hilbert, "methods", "below a hook load it moves as a whole"),
         (
             axis("torque_dynamic_nm"),
@@ -279,4 +286,85 @@ fn starts_by_chance_say_how_sure_a_label_is() {
     assert!(map.contains("starts by chance"), "no fractions");
     let window = done(&place, &["window", "small.toml", "--accept-chatter"]);
     assert!(window.contains("within its"), "{window}");
+}
+
+/// A string that rubs along its well above a bit that cuts, drilling steadily: the cut is that of the
+/// string that does not rub, and friction adds μ w sin(I) r L to the torque at the surface, by three methods.
+#[test]
+fn a_string_that_rubs_above_a_bit_that_cuts_takes_both_torques() {
+    let [inner, outer, friction] = [0.05_f64, 0.0635, 0.2];
+    let weight = 7840.0 * 9.80665 * std::f64::consts::PI * (outer * outer - inner * inner);
+    let rubs = friction * weight * 60f64.to_radians().sin() * outer * 400.0;
+    let cuts = with(
+        &with(
+            CUTTING,
+            "\"quadrature\"",
+            "\"held\", \"quadrature\", \"finite-element\"",
+        ),
+        "time_s = 20",
+        "time_s = 60\nsurface_speed_rise_s = 5\nsurface_torque = true",
+    );
+    let cuts = with(&cuts, "repeat = 10", "repeat = 40");
+    let cuts = with(&cuts, "hz = 200", "hz = 400");
+    let damping = "[string.axial]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 400\n[bit]\n";
+    let cuts = with(&cuts, "[bit]\n", damping);
+    let cuts = with(
+        &cuts,
+        "surface_speed_rpm = { from = 40, to = 160, count = 3 }",
+        "surface_speed_rpm = { values = [160] }",
+    );
+    let friction = format!(
+        "[well]\ninclination_deg = 60\n[string_friction]\nstatic_coefficient = {friction}\n\
+         pressed_by = \"weight\"\npieces = 5\n[design]\n"
+    );
+    let place = Workplace::new();
+    place.write("cuts.toml", &cuts);
+    place.write("rubs.toml", with(&cuts, "[design]\n", &friction));
+    let names = ["axial", "rate_of_penetration_m_h", "surface_torque_mean_nm"];
+    let [alone, rubbing] = ["cuts", "rubs"].map(|name| {
+        done(
+            &place,
+            &["run", &format!("{name}.toml"), "--out", name, "--quiet"],
+        );
+        columns(&place, &format!("{name}/labels.csv"), names)
+    });
+    assert_eq!(alone.len(), 6);
+    for (alone, rubbing) in alone.iter().zip(&rubbing) {
+        let number = |text: &String| text.parse::<f64>().unwrap();
+        assert_eq!([&alone[0], &rubbing[0]], ["steady"; 2]);
+        let [rate, rubbing_rate] = [alone, rubbing].map(|row| number(&row[1]));
+        assert!(
+            (rubbing_rate / rate - 1.0).abs() < 1e-6,
+            "{rubbing_rate} {rate}"
+        );
+        let [torque, rubbing_torque] = [alone, rubbing].map(|row| number(&row[2]));
+        assert!(
+            ((rubbing_torque - torque) / rubs - 1.0).abs() < 1e-3,
+            "{rubbing_torque} {torque} {rubs}"
+        );
+    }
+}
+
+/// Responses along the axis have a margin of their own, in words, in JSON and in what a run keeps.
+#[test]
+fn the_margin_of_axial_motion_is_shown() {
+    let place = Workplace::with_small(CUTTING);
+    let words = done(&place, &["inspect", "small.toml"]);
+    assert!(
+        words.contains("in axial motion: stable in sticking"),
+        "{words}"
+    );
+    let json = done(&place, &["inspect", "small.toml", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let inspected = json["methods"][0]["axial_margin"].as_f64().unwrap();
+    done(&place, &["run", "small.toml", "--out", "out", "--quiet"]);
+    let manifest = std::fs::read_to_string(place.path("out/manifest.json")).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+    assert_eq!(
+        manifest["methods"][0]["axial_margin"].as_f64(),
+        Some(inspected)
+    );
+    done(&place, &["report", "out"]);
+    let page = std::fs::read_to_string(place.path("out/report.html")).unwrap();
+    assert!(page.contains("in axial motion"));
 }

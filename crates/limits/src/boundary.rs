@@ -81,7 +81,12 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
         return Ok(Boundary::Whirl(points));
     }
     if let (Some(bit), Some(_)) = (&sweep.bit, &sweep.setting.cutting) {
-        return Ok(Boundary::StickSlip(steady_drilling_points(sweep, bit)));
+        let rubs = sweep.setting.friction.is_some();
+        return Ok(Boundary::StickSlip(match rubs {
+            false => steady_drilling_points(sweep, bit),
+            // Friction along the string is not linear.
+            true => Vec::new(),
+        }));
     }
     let is_torque = |axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     match (&sweep.bit, position(sweep, is_torque)) {

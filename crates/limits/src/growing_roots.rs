@@ -38,14 +38,19 @@ pub struct DrillingPoint {
 }
 
 /// Those of a sweep whose bit cuts, case by case or, of many, evenly among them; axes that change the
-/// string have the string of the file. None below a motor, through which the bit feels another string.
+/// string have the string of the file. None below a motor, through which the bit feels another string, or
+/// of one that rubs along its well, which is not linear.
 ///
 /// # Errors
 /// Where the string cannot be cut up.
 pub fn drilling_points(sweep: &Sweep) -> Result<Vec<DrillingPoint>, DrillstringError> {
-    let (Some(settings), Some(bit), None) =
-        (&sweep.setting.cutting, &sweep.bit, sweep.setting.motor)
-    else {
+    let setting = &sweep.setting;
+    let (Some(settings), Some(bit), None, None) = (
+        &setting.cutting,
+        &sweep.bit,
+        setting.motor,
+        &setting.friction,
+    ) else {
         return Ok(Vec::new());
     };
     let cuts = Cuts {

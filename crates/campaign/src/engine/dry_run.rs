@@ -35,21 +35,24 @@ pub(super) fn ask_for_responses(
     responses.ask(budget)?;
     let (sites, loads) = (request.sites.len(), loads(request));
     let (taps, bending_taps) = (responses.torsion_taps(), responses.bending_taps());
-    let bends = |simulator: SimulatorPlan| match plan.setting.lateral {
-        None => simulator,
-        Some(_) => {
-            let lies = plan.setting.lying.is_some();
-            simulator.bending_by(sites, bending_taps).lying(lies)
+    let moves = |simulator: SimulatorPlan| {
+        let bends = match plan.setting.lateral {
+            None => simulator,
+            Some(_) => {
+                let lies = plan.setting.lying.is_some();
+                simulator.bending_by(sites, bending_taps).lying(lies)
+            }
+        };
+        match plan.setting.cutting {
+            None => bends,
+            Some(_) => bends.moving_along_by(responses.axial_taps()),
         }
     };
     let stepping = match &plan.setting.friction {
-        Some(friction) => rubbing::ask(plan, friction, bends, budget)?,
+        Some(friction) => rubbing::ask(plan, friction, moves, budget)?,
         None => {
             let simulator = SimulatorPlan::by_responses(sites, loads, taps, plan.steps());
-            let mut simulator = bends(simulator);
-            if plan.setting.cutting.is_some() {
-                simulator = simulator.moving_along_by(responses.axial_taps());
-            }
+            let mut simulator = moves(simulator);
             match plan.setting.drive_limit {
                 None => simulator.ask(budget)?,
                 Some(_) => simulator = limited::ask(plan, request, simulator, budget)?,

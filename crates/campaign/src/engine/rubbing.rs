@@ -23,14 +23,14 @@ pub(super) fn request(setting: &Setting, friction: &StringFriction, longest_time
     }
 }
 
-/// Asks for what [`build`] takes, of a simulator that `bends` where it has walls.
+/// Asks for what [`build`] takes, of a simulator that `moves` otherwise than in torsion, too.
 ///
 /// # Errors
 /// Where the method cannot treat the string, or it is more than is left.
 pub(super) fn ask(
     plan: &SystemPlan,
     friction: &StringFriction,
-    bends: impl Fn(SimulatorPlan) -> SimulatorPlan,
+    moves: impl Fn(SimulatorPlan) -> SimulatorPlan,
     budget: &Budget,
 ) -> Result<Stepping, BuildError> {
     let (setting, method, time) = (plan.setting, plan.method, plan.longest_time);
@@ -42,7 +42,7 @@ pub(super) fn ask(
         let cascade = CascadePlan::new(string, method, &friction.nodes, frequency, time)?;
         cascade.ask(&passing)?;
         let taps = cascade.taps();
-        let simulator = bends(SimulatorPlan::in_pieces(
+        let simulator = moves(SimulatorPlan::in_pieces(
             nodes,
             taps,
             string.loss().has_memory(),
@@ -63,7 +63,7 @@ pub(super) fn ask(
     of_surface.ask(&passing)?;
     SurfaceTorque::ask(nodes, of_surface.taps(), budget)?;
     let taps = of_nodes.torsion_taps();
-    let simulator = bends(SimulatorPlan::by_responses(
+    let simulator = moves(SimulatorPlan::by_responses(
         nodes,
         nodes,
         taps,
@@ -79,8 +79,8 @@ pub(super) fn ask(
     })
 }
 
-/// The simulator of such a string, which bends by `responses` where it has walls; and what turns its
-/// surface, where the simulator does not know.
+/// The simulator of such a string, which bends by `responses` where it has walls, and moves along its axis
+/// by them where its bit cuts; and what turns its surface, where the simulator does not know.
 ///
 /// # Errors
 /// Where the method cannot treat the string, or more memory is needed than is left.
@@ -95,9 +95,15 @@ pub(super) fn build(
     let (profile, inertia) = (&setting.profile, setting.rotor_inertia);
     let (frequency, nodes) = (setting.sampling_frequency, friction.nodes.len());
     let steps = sim::plan::steps(longest_time, frequency);
-    let bends = |plan: SimulatorPlan| match responses.bending() {
-        None => plan,
-        Some(bending) => plan.bending_by(bending.loads.len(), bending.taps()),
+    let moves = |plan: SimulatorPlan| {
+        let bends = match responses.bending() {
+            None => plan,
+            Some(bending) => plan.bending_by(bending.loads.len(), bending.taps()),
+        };
+        match responses.axial() {
+            None => bends,
+            Some(axial) => bends.moving_along_by(axial.taps()),
+        }
     };
     let passing = budget.part();
     let (system, surface) = if is_in_pieces(method) {
@@ -105,7 +111,7 @@ pub(super) fn build(
         let cascade = plan.build(&passing)?;
         let taps = cascade.longest_response();
         let has_memory = cascade.loss_has_memory;
-        bends(SimulatorPlan::in_pieces(nodes, taps, has_memory, steps)).ask(budget)?;
+        moves(SimulatorPlan::in_pieces(nodes, taps, has_memory, steps)).ask(budget)?;
         (System::in_pieces(&cascade, profile, inertia)?, None)
     } else {
         let request = request(setting, friction, longest_time);
@@ -114,12 +120,16 @@ pub(super) fn build(
         SurfaceTorque::ask(nodes, taps.len(), budget)?;
         let surface = SurfaceTorque::new(&of_nodes, &taps, profile, inertia)?
             .answering_late(setting.drive_delay());
-        bends(SimulatorPlan::of_responses(&of_nodes)).ask(budget)?;
+        moves(SimulatorPlan::of_responses(&of_nodes)).ask(budget)?;
         (System::started(&of_nodes, profile)?, Some(surface))
     };
     let system = match &setting.lateral {
         None => system,
         Some(_) => system.bending_by(responses)?,
+    };
+    let system = match &setting.cutting {
+        None => system,
+        Some(cutting) => system.moving_along(responses, &cutting.profile)?,
     };
     let simulator = Simulator::of(system).following_torque(friction.follows_torque);
     Ok((simulator, surface))

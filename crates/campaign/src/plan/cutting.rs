@@ -152,10 +152,12 @@ fn check_scene(source: &Source, content: &FileContent) -> Result<(), SweepFileEr
     let cleans_poorly = law.is_some_and(|law| law.poor_cleaning_from_kn.is_some());
     let message = "is not modelled of a bit with [bit.cutting]";
     source.refuse_if(cleans_poorly, "bit.law.poor_cleaning_from_kn", message)?;
-    let message = "with [bit.cutting] nothing rubs along the string yet: leave one of both out";
+    let is_fed = content.feed.unwrap_or_default().kind == FeedName::Speed;
+    let message = "what presses the string on its well depends on the weight on bit, which is not known of \
+                   one that is fed at a speed: use `kind = \"hook-load\"`";
     source.refuse_if(
-        content.string_friction.is_some(),
-        "string_friction",
+        is_fed && content.string_friction.is_some(),
+        "feed.kind",
         message,
     )?;
     check_methods(source, content)

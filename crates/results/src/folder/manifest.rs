@@ -110,6 +110,9 @@ pub struct MethodRecord {
     pub positive_real_margin: Option<f64>,
     /// Positive-real margin in bending, where it is modelled.
     pub bending_margin: Option<f64>,
+    /// The same along the axis.
+    #[serde(default)]
+    pub axial_margin: Option<f64>,
     /// Δ of Eq. 75 by the method, where it was compared with the exact one.
     #[serde(default)]
     pub undershoot_rad_s_per_nm: Option<f64>,
@@ -129,6 +132,7 @@ impl MethodRecord {
             taps: system.torsion_taps(),
             positive_real_margin: system.torsion_margin,
             bending_margin: system.bending_margin,
+            axial_margin: system.axial_margin,
             undershoot_rad_s_per_nm: system.front.map(|front| front.undershoot),
             exact_undershoot_rad_s_per_nm: system.front.map(|front| front.exact),
             least_impulses_ns: system.least_impulses.clone(),

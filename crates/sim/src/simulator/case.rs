@@ -156,10 +156,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
         true
     }
 
-    /// The label that motion has settled to, if it has. A bit that cuts next to a wall has its own
-    /// regime to wait for; below a motor nothing tells it early.
+    /// The label that motion has settled to, if it has. A bit that cuts has the regime of its axis to wait
+    /// for; below a motor nothing tells it early.
     fn settles(&mut self) -> Option<Label> {
-        if self.system.motor.is_some() {
+        if self.system.motor.is_some() || self.scene.axial.is_some() {
             return None;
         }
         let mut laws = self.scene.bit.iter();

@@ -52,7 +52,10 @@ pub fn cost_lines(memory: &Estimate, limit: &Limit, time: &WallTime) -> String {
     let threads = counted(parallel::threads(), "thread");
     let time = match time {
         WallTime::About(seconds) => {
-            format!("{} on {threads}, by a short probe", in_words(*seconds))
+            format!(
+                "{} for the cases on {threads}, by a short probe",
+                in_words(*seconds)
+            )
         }
         WallTime::Unknown => {
             let probe = PROBE.as_secs();

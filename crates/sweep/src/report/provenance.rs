@@ -19,6 +19,7 @@ pub fn time(all: &[Results]) -> Vec<Block> {
         "length of responses, steps",
         "margin in torsion",
         "in bending",
+        "in axial motion",
         "I₀",
     ];
     let mut systems = table_of(all, "The linear system of each method", &header);
@@ -69,6 +70,7 @@ fn system_row(method: &MethodRecord, impulse: &Unit) -> Vec<String> {
         method.taps.to_string(),
         margin(method.positive_real_margin),
         margin(method.bending_margin),
+        margin(method.axial_margin),
         known(Some(impulses).filter(|list| !list.is_empty())),
     ]
 }

@@ -26,6 +26,7 @@ pub struct InspectedMethod {
     least_impulses_ns: Vec<f64>,
     positive_real_margin: Option<f64>,
     bending_margin: Option<f64>,
+    axial_margin: Option<f64>,
 }
 
 /// The response of the bit to a torque on it.
@@ -54,6 +55,7 @@ impl InspectedMethod {
             least_impulses_ns: system.least_impulses.clone(),
             positive_real_margin: system.torsion_margin,
             bending_margin: system.bending_margin,
+            axial_margin: system.axial_margin,
         }
     }
 
@@ -92,6 +94,7 @@ impl InspectedMethod {
         for (margin, what) in [
             (self.positive_real_margin, "torsion"),
             (self.bending_margin, "bending"),
+            (self.axial_margin, "axial motion"),
         ] {
             if let Some(margin) = margin {
                 let verdict = if is_unstable(margin) {

@@ -155,7 +155,11 @@ fn unstable(results: &Results) -> Option<String> {
     let methods = results.manifest.methods.iter();
     let unstable: Vec<&str> = methods
         .filter(|method| {
-            let margins = [method.positive_real_margin, method.bending_margin];
+            let margins = [
+                method.positive_real_margin,
+                method.bending_margin,
+                method.axial_margin,
+            ];
             margins.into_iter().flatten().any(is_unstable)
         })
         .map(|method| method.method.as_str())
