@@ -197,9 +197,10 @@ impl FileContent {
     /// Whether the bit is one of the sites.
     pub fn bit_is_site(&self) -> bool {
         let is_given = (self.sites.iter()).any(|site| site.distance_from_bit_m == 0.0);
-        // Candidates at even distances begin there.
-        let candidates = self.wall_with_candidates();
-        is_given || candidates.is_some_and(|wall| wall.sites_every_m.is_some())
+        // Candidates at even distances begin there, and it is one of those of a string that lies.
+        let has_bit =
+            |wall: &WallTable| wall.sites == SitesName::Ends || wall.sites_every_m.is_some();
+        is_given || self.wall_with_candidates().is_some_and(has_bit)
     }
 
     /// In what the values of an axis are spread.
