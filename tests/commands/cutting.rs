@@ -345,7 +345,7 @@ fn a_string_that_rubs_above_a_bit_that_cuts_takes_both_torques() {
     }
 }
 
-/// Responses along the axis have a margin of their own, in words, in JSON and in what a run keeps.
+/// In words, in JSON, in what a run keeps and in its report.
 #[test]
 fn the_margin_of_axial_motion_is_shown() {
     let place = Workplace::with_small(CUTTING);
