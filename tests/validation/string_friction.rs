@@ -592,7 +592,7 @@ fn val_surface_torque_is_of_contacts_below_and_friction_above() {
              sites = \"ends\"\nsites_to_m = {to}\n"
         )
     };
-    let files = [158.0, 172.0, 190.0].map(on_sites);
+    let files = [41.0, 100.0, 172.0].map(on_sites);
     for text in [string.clone()].iter().chain(&files) {
         let place = Workplace::new();
         place.write("rubs.toml", text);
@@ -600,7 +600,7 @@ fn val_surface_torque_is_of_contacts_below_and_friction_above() {
         assert_eq!(answer.code, 0, "{}", answer.errors);
         let table = std::fs::read_to_string(place.path("out/case.csv")).unwrap();
         let found = number(&rows(&table)[0], "surface_torque_mean_nm");
-        assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
+        assert!((found / expected - 1.0).abs() < 0.005, "{found} {expected}");
     }
 }
 

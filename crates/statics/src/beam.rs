@@ -243,12 +243,16 @@ fn top(string: &Drillstring, top: Top, contacts: &[Contact]) -> f64 {
     let distance = match top {
         Top::Surface => length,
         Top::At(distance) => distance,
-        Top::Automatic => {
+        Top::Automatic | Top::AboveContacts => {
             let distances: Vec<f64> = contacts.iter().map(|it| it.distance_from_bit).collect();
             let highest = distances.first().copied().unwrap_or(0.0);
             let gaps = distances.windows(2).take(HIGHEST_GAPS);
             let widest = gaps.map(|pair| pair[0] - pair[1]).fold(0.0, f64::max);
-            (highest + 0.5 * widest).max(Top::LEAST)
+            let above = highest + 0.5 * widest;
+            match top == Top::AboveContacts && widest > 0.0 {
+                true => above,
+                false => above.max(Top::LEAST),
+            }
         }
     };
     distance.min(length)

@@ -57,6 +57,8 @@ pub enum Top {
     /// distances between the highest four: an end close to a contact would lift it off.
     #[default]
     Automatic,
+    /// So far beyond the highest contact, but not 150 m: for a string that lies on its hole above, too.
+    AboveContacts,
     /// At a distance from the bit, m; contacts above are left out.
     At(f64),
     /// At the surface.

@@ -4,7 +4,7 @@ use linear::bending_modes::holding_spring;
 use linear::well::{PressedBy, SideForce, Survey};
 use linear::{Drillstring, Mud, Sites};
 use sim::Wall;
-use statics::{Bit, Contact, ContactState, Course, LyingString, StaticState, StaticsError};
+use statics::{Bit, Contact, ContactState, Course, LyingString, StaticState, StaticsError, Top};
 
 use super::conditions::Conditions;
 use super::data::Data;
@@ -45,6 +45,8 @@ pub struct Lying {
     survey: Survey,
     /// What buoys it.
     mud: Option<Mud>,
+    /// Where what is modelled of it ends.
+    top: Top,
 }
 
 /// What the string of a setting with a wall lies in, where the course of its well is known.
@@ -81,6 +83,11 @@ pub fn resolve(
     Ok(survey.map(|survey| Lying {
         survey: survey.clone(),
         mud,
+        // Where the string rubs above its sites, nothing is to bear its weight twice.
+        top: match content.string_friction {
+            None => Top::Automatic,
+            Some(_) => Top::AboveContacts,
+        },
     }))
 }
 
@@ -106,6 +113,7 @@ impl Lying {
             weight_on_bit: pushed(lateral, conditions),
             bit,
             surface: lateral.support,
+            top: self.top,
             ..statics::Conditions::new(lateral.bending.youngs_modulus, course)
         };
         LyingString::new(string, &around, &contacts(sites, lateral, conditions))
