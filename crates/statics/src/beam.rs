@@ -27,10 +27,6 @@ const LONGEST_ELEMENT: f64 = 0.5;
 /// a contact is taken to be there.
 const SHORTEST_ELEMENT: f64 = 2e-3;
 
-/// Of this number of distances between the highest contacts half of the greatest is left above them: ends
-/// of a tool joint are close to each other.
-const HIGHEST_GAPS: usize = 3;
-
 /// Unknowns of a node: displacement and slope along either axis.
 pub(crate) const FREEDOMS: usize = 4;
 
@@ -57,8 +53,10 @@ pub(crate) struct Beam {
     pub(crate) distances: Vec<f64>,
     /// The node of each contact, from the top down.
     pub(crate) contact_nodes: Vec<usize>,
-    /// Unknowns of the uppermost node that are zero.
+    /// Unknowns of the uppermost node that are given.
     pub(crate) held_above: &'static [usize],
+    /// How far from the middle of the hole it is held there, m, on the side to which loads press it.
+    pub(crate) aside_above: f64,
     /// By which the high side is turned from the first axis at each node, rad.
     pub(crate) high_side: Vec<f64>,
 }
@@ -148,7 +146,8 @@ impl Beam {
         conditions: &Conditions,
         contacts: &[Contact],
     ) -> Result<Self, StaticsError> {
-        let top = top(string, conditions.top, contacts);
+        let places: Vec<f64> = contacts.iter().map(|it| it.distance_from_bit).collect();
+        let top = conditions.top.distance(&places, string.length());
         let tubes = tubes(string, top);
         let distances = nodes(string, &tubes, conditions, contacts, top)?;
         let node_of = |contact: &Contact| {
@@ -189,9 +188,12 @@ impl Beam {
             SurfaceSupport::Clamped if !is_cut => &[0, 1, 2, 3],
             _ => &[0, 2],
         };
+        let highest = contacts.first().map_or(0.0, |it| it.clearance);
+        let rests_above = is_cut && conditions.top == Top::AboveContacts;
         Ok(Self {
             elements,
             held_above,
+            aside_above: if rests_above { highest } else { 0.0 },
             distances,
             contact_nodes,
             high_side,
@@ -235,27 +237,6 @@ impl Element {
             load,
         }
     }
-}
-
-/// How far from the bit the modelled part of the string ends, m.
-fn top(string: &Drillstring, top: Top, contacts: &[Contact]) -> f64 {
-    let length = string.length();
-    let distance = match top {
-        Top::Surface => length,
-        Top::At(distance) => distance,
-        Top::Automatic | Top::AboveContacts => {
-            let distances: Vec<f64> = contacts.iter().map(|it| it.distance_from_bit).collect();
-            let highest = distances.first().copied().unwrap_or(0.0);
-            let gaps = distances.windows(2).take(HIGHEST_GAPS);
-            let widest = gaps.map(|pair| pair[0] - pair[1]).fold(0.0, f64::max);
-            let above = highest + 0.5 * widest;
-            match top == Top::AboveContacts && widest > 0.0 {
-                true => above,
-                false => above.max(Top::LEAST),
-            }
-        }
-    };
-    distance.min(length)
 }
 
 /// The tubes from the bit up to a distance from it (m), with where each ends.

@@ -57,7 +57,8 @@ pub enum Top {
     /// distances between the highest four: an end close to a contact would lift it off.
     #[default]
     Automatic,
-    /// So far beyond the highest contact, but not 150 m: for a string that lies on its hole above, too.
+    /// So far beyond the highest contact, but not 150 m, and there on the wall: a string that lies on
+    /// its hole above, too.
     AboveContacts,
     /// At a distance from the bit, m; contacts above are left out.
     At(f64),
@@ -65,11 +66,32 @@ pub enum Top {
     Surface,
 }
 
+/// Of this number of distances between the highest contacts half of the greatest is left above them: ends
+/// of a tool joint are close to each other.
+const HIGHEST_GAPS: usize = 3;
+
 impl Top {
     /// The least distance from the bit, m, at which the string is cut by [`Top::Automatic`]: no
     /// force of the seven lowest contacts of a field string changes by more than 1e-6 of itself if
     /// it is cut higher up.
     pub const LEAST: f64 = 150.0;
+
+    /// How far from the bit a string of a length is modelled that has contacts at these distances, from
+    /// the highest down, m. Where the surface is closer than the next contact would be it ends there.
+    pub fn distance(self, contacts: &[f64], length: f64) -> f64 {
+        let highest = contacts.first().copied().unwrap_or(0.0);
+        let gaps = contacts.windows(2).take(HIGHEST_GAPS);
+        let widest = gaps.map(|pair| pair[0] - pair[1]).fold(0.0, f64::max);
+        let above = highest + 0.5 * widest;
+        let distance = match self {
+            Self::Surface => length,
+            Self::At(distance) => distance,
+            Self::AboveContacts if above + widest > length => length,
+            Self::AboveContacts if widest > 0.0 => above,
+            Self::AboveContacts | Self::Automatic => above.max(Self::LEAST),
+        };
+        distance.min(length)
+    }
 }
 
 impl Conditions {

@@ -259,8 +259,9 @@ impl<'a> Equilibrium<'a> {
                 }
             }
         }
+        let above = self.held_above();
         for &unknown in self.beam.held_above {
-            matrix.hold(unknown, -self.moved[unknown], &mut right);
+            matrix.hold(unknown, above[unknown] - self.moved[unknown], &mut right);
         }
         let negative = matrix.solve(&mut right);
         for contact in 0..self.contacts.len() {
@@ -281,6 +282,27 @@ impl<'a> Equilibrium<'a> {
                 .count()
         };
         (right, [in_plane(0), in_plane(1)])
+    }
+
+    /// Displacement and slope of the uppermost node in both planes, where they are given: it slides as the
+    /// highest contact does.
+    fn held_above(&self) -> [f64; FREEDOMS] {
+        let aside = self.beam.aside_above;
+        if aside == 0.0 {
+            return [0.0; FREEDOMS];
+        }
+        let element = &self.beam.elements[0];
+        let [x, y] = [0, 1].map(|plane| {
+            let [upper, _, lower, _] = element.nodal_loads(plane, self.weight_on_bit);
+            upper + lower
+        });
+        let size = x.hypot(y);
+        if size == 0.0 {
+            return [0.0; FREEDOMS];
+        }
+        let (sin, cos) = self.slip(0).atan().sin_cos();
+        let [x, y] = turned([x / size, y / size], [cos, -sin]);
+        [aside * x, 0.0, aside * y, 0.0]
     }
 
     /// Which pivots are negative where the string is now: without any, it is stable.

@@ -197,12 +197,15 @@ fn friction_along(
     let coefficient = coefficient.ok_or(CaseError::Missing("friction of the string"))?;
     let mut along = friction.at_nodes(conditions, coefficient);
     if setting.lying.is_some() {
-        // Where it lies on its sites these bear it, and rub; of a piece next to them what is above.
-        let highest = setting.sites.distances_from_bit()[0];
+        // Where it lies on its sites these bear it, and rub: up to half way to where it ends that lies on
+        // them. Of a piece next to that what is above.
+        let places = setting.sites.distances_from_bit();
+        let ends = statics::Top::AboveContacts.distance(places, setting.string.length());
+        let borne = 0.5 * (places[0] + ends);
         let piece = setting.string.length() / friction.pieces() as f64;
         let nodes = friction.nodes.distances_from_bit().iter();
         for (law, middle) in along.iter_mut().zip(nodes) {
-            let above = (0.5 + (middle - highest) / piece).min(1.0);
+            let above = (0.5 + (middle - borne) / piece).min(1.0);
             *law = law.filter(|_| above > 0.0).map(|law| PipeFriction {
                 torque_static: above * law.torque_static,
                 torque_dynamic: above * law.torque_dynamic,

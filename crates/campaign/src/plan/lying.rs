@@ -45,8 +45,6 @@ pub struct Lying {
     survey: Survey,
     /// What buoys it.
     mud: Option<Mud>,
-    /// Where what is modelled of it ends.
-    top: Top,
 }
 
 /// What the string of a setting with a wall lies in, where the course of its well is known.
@@ -83,11 +81,6 @@ pub fn resolve(
     Ok(survey.map(|survey| Lying {
         survey: survey.clone(),
         mud,
-        // Where the string rubs above its sites, nothing is to bear its weight twice.
-        top: match content.string_friction {
-            None => Top::Automatic,
-            Some(_) => Top::AboveContacts,
-        },
     }))
 }
 
@@ -113,7 +106,8 @@ impl Lying {
             weight_on_bit: pushed(lateral, conditions),
             bit,
             surface: lateral.support,
-            top: self.top,
+            // Higher up it would hang through its wall, and all that weight on the highest sites.
+            top: Top::AboveContacts,
             ..statics::Conditions::new(lateral.bending.youngs_modulus, course)
         };
         LyingString::new(string, &around, &contacts(sites, lateral, conditions))

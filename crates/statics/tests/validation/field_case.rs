@@ -490,3 +490,37 @@ fn val_a_cut_of_itself_is_far_enough_from_the_bit() {
         }
     }
 }
+
+/// Where contacts end low the string lies on its wall next above them, and the lowest bear the same: cut at
+/// 150 m it would hang through its wall, and all that weight on the highest.
+#[test]
+fn val_the_lowest_contacts_bear_the_same_wherever_contacts_end() {
+    let case = Case(60.0, 0.0, false, false);
+    let expected = case
+        .lying(&field_assembly::ends(TO), None)
+        .at_rest()
+        .unwrap();
+    let heaviest = inward(&expected, 29.43);
+    assert!(heaviest > 3e4, "{heaviest}");
+    for to in [60.0, 85.0, 112.0] {
+        let conditions = Conditions {
+            top: Top::AboveContacts,
+            ..case.conditions()
+        };
+        let contact = |it: Touching| Contact {
+            distance_from_bit: it.distance_from_bit,
+            clearance: it.clearance,
+            radius: it.radius,
+            stiffness: None,
+        };
+        let contacts: Vec<Contact> = field_assembly::ends(to).into_iter().map(contact).collect();
+        let string = field_assembly::string();
+        let lying = LyingString::new(&string, &conditions, &contacts).unwrap();
+        let state = lying.at_rest().unwrap();
+        assert!(state.top() < to + 10.0, "{}", state.top());
+        for distance in [0.0, 4.735, 15.625, 29.43] {
+            let apart = inward(&state, distance) - inward(&expected, distance);
+            assert!(apart.abs() < 0.01 * heaviest, "{to} {distance}: {apart}");
+        }
+    }
+}
