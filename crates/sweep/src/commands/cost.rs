@@ -53,7 +53,7 @@ pub fn cost_lines(memory: &Estimate, limit: &Limit, time: &WallTime) -> String {
     let time = match time {
         WallTime::About(seconds) => {
             format!(
-                "{} for the cases on {threads}, by a short probe",
+                "{} on {threads} for the cases, by a short probe",
                 in_words(*seconds)
             )
         }
