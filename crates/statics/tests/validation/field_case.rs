@@ -45,16 +45,20 @@ impl Case {
     }
 
     fn lying(self, touching: &[Touching], stiffness: Option<f64>) -> LyingString {
-        let contact = |it: &Touching| Contact {
-            distance_from_bit: it.distance_from_bit,
-            clearance: it.clearance,
-            radius: it.radius,
-            stiffness,
-        };
-        let contacts: Vec<Contact> = touching.iter().map(contact).collect();
         let string = field_assembly::string();
-        LyingString::new(&string, &self.conditions(), &contacts).unwrap()
+        LyingString::new(&string, &self.conditions(), &contacts(touching, stiffness)).unwrap()
     }
+}
+
+/// Contacts where a string may touch, rigid or of a stiffness.
+fn contacts(touching: &[Touching], stiffness: Option<f64>) -> Vec<Contact> {
+    let contact = |it: &Touching| Contact {
+        distance_from_bit: it.distance_from_bit,
+        clearance: it.clearance,
+        radius: it.radius,
+        stiffness,
+    };
+    touching.iter().map(contact).collect()
 }
 
 /// Force of the wall at a distance from the bit, N, positive inwards.
@@ -433,16 +437,7 @@ fn val_forces_are_converged_in_the_length_of_elements_and_of_the_string() {
             longest_element: longest,
             ..case.conditions()
         };
-        let contact = |it: Touching| Contact {
-            distance_from_bit: it.distance_from_bit,
-            clearance: it.clearance,
-            radius: it.radius,
-            stiffness: None,
-        };
-        let contacts: Vec<Contact> = field_assembly::middles(to - 2.0)
-            .into_iter()
-            .map(contact)
-            .collect();
+        let contacts = contacts(&field_assembly::middles(to - 2.0), None);
         let lying = LyingString::new(&field_assembly::string(), &conditions, &contacts).unwrap();
         inward(&lying.at_rest().unwrap(), 38.54)
     };
@@ -472,13 +467,7 @@ fn val_a_cut_of_itself_is_far_enough_from_the_bit() {
                 top: Top::Automatic,
                 ..case.conditions()
             };
-            let contact = |it: Touching| Contact {
-                distance_from_bit: it.distance_from_bit,
-                clearance: it.clearance,
-                radius: it.radius,
-                stiffness: None,
-            };
-            let contacts: Vec<Contact> = touching(to).into_iter().map(contact).collect();
+            let contacts = contacts(&touching(to), None);
             let string = field_assembly::string();
             let lying = LyingString::new(&string, &conditions, &contacts).unwrap();
             let state = lying.at_rest().unwrap();
@@ -507,13 +496,7 @@ fn val_the_lowest_contacts_bear_the_same_wherever_contacts_end() {
             top: Top::AboveContacts,
             ..case.conditions()
         };
-        let contact = |it: Touching| Contact {
-            distance_from_bit: it.distance_from_bit,
-            clearance: it.clearance,
-            radius: it.radius,
-            stiffness: None,
-        };
-        let contacts: Vec<Contact> = field_assembly::ends(to).into_iter().map(contact).collect();
+        let contacts = contacts(&field_assembly::ends(to), None);
         let string = field_assembly::string();
         let lying = LyingString::new(&string, &conditions, &contacts).unwrap();
         let state = lying.at_rest().unwrap();
