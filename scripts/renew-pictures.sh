@@ -41,8 +41,10 @@ done
 "$sweep" simulate sweeps/fig13.toml --case 0,1 --out "$folder/fig13"
 keep fig13 string
 
-"$sweep" simulate sweeps/well_b.toml --out "$folder/well_b"
-keep well_b history
+for figure in well_b well_b_rest; do
+    "$sweep" simulate "sweeps/$figure.toml" --out "$folder/$figure"
+    keep "$figure" history
+done
 "$sweep" simulate sweeps/well_12in_cutting.toml --set surface_speed_rpm=100 \
     --set weight_on_bit_kn=80 --out "$folder/well_12in_cutting_cut"
 cp "$folder/well_12in_cutting_cut/cut.png" "$images/well_12in_cutting-cut.png"

@@ -26,6 +26,7 @@ mod axial_force;
 mod quasi_static_twist;
 mod short_lengths;
 mod side_force;
+mod supports;
 mod survey;
 
 pub use axial_force::HangingString;

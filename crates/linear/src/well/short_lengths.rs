@@ -19,8 +19,8 @@ const DOWN: Vector = [0.0, 0.0, 1.0];
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ShortLength<'string> {
     pub part: &'string Tube,
-    /// Outer radius of the widest part of its section, m.
-    pub widest: f64,
+    /// Number of that part from the surface down, cells that repeat one after the other.
+    pub part_index: usize,
     /// Of its middle from the surface, m.
     pub depth: f64,
     /// m.
@@ -38,25 +38,23 @@ pub(super) fn short_lengths<'string>(
 ) -> Vec<ShortLength<'string>> {
     let mut lengths = Vec::new();
     let mut top = 0.0;
-    for section in string.sections() {
-        let outer = section.parts.iter().map(|part| part.outer_radius);
-        let widest = outer.fold(0.0, f64::max);
-        for part in (0..section.repeat).flat_map(|_| &section.parts) {
-            let bottom = top + part.length;
-            for (from, to) in cuts(survey, top, bottom) {
-                let depth = 0.5 * (from + to);
-                let (along, turn) = survey.map_or((DOWN, [0.0; 3]), |it| it.course(depth));
-                lengths.push(ShortLength {
-                    part,
-                    widest,
-                    depth,
-                    length: to - from,
-                    along,
-                    turn,
-                });
-            }
-            top = bottom;
+    let sections = string.sections().iter();
+    let parts = sections.flat_map(|it| (0..it.repeat).flat_map(|_| &it.parts));
+    for (part_index, part) in parts.enumerate() {
+        let bottom = top + part.length;
+        for (from, to) in cuts(survey, top, bottom) {
+            let depth = 0.5 * (from + to);
+            let (along, turn) = survey.map_or((DOWN, [0.0; 3]), |it| it.course(depth));
+            lengths.push(ShortLength {
+                part,
+                part_index,
+                depth,
+                length: to - from,
+                along,
+                turn,
+            });
         }
+        top = bottom;
     }
     lengths
 }

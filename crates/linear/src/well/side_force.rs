@@ -6,6 +6,7 @@
 use super::GRAVITY;
 use super::quasi_static_twist::{QuasiStaticTwist, Stretch};
 use super::short_lengths::{ShortLength, short_lengths};
+use super::supports::supports;
 use super::survey::{Survey, Vector, combine, length};
 use crate::drillstring::Drillstring;
 use crate::surroundings::Mud;
@@ -46,8 +47,8 @@ struct Piece {
 }
 
 impl SideForce {
-    /// Of a string in a well that is surveyed at least as deep; in `mud` it is buoyed. It lies
-    /// on its widest parts: pipe on its joints.
+    /// Of a string in a well that is surveyed at least as deep; in `mud` it is buoyed. Parts lie on
+    /// wider ones that carry them, as pipe on its joints, or on themselves where they sag to the wall.
     pub fn new(
         string: &Drillstring,
         survey: &Survey,
@@ -55,6 +56,7 @@ impl SideForce {
         pressed_by: PressedBy,
     ) -> Self {
         let heavier = string.material().density - mud.map_or(0.0, |mud| mud.density);
+        let supports = supports(string, heavier);
         let piece = |it: ShortLength| {
             let weight = heavier * it.part.area() * GRAVITY;
             let turn = match pressed_by {
@@ -64,7 +66,7 @@ impl SideForce {
             Piece {
                 depth: it.depth,
                 length: it.length,
-                radius: it.widest,
+                radius: supports[it.part_index].mean_radius(it.depth, it.length),
                 compliance: 1.0 / (string.material().shear_modulus * it.part.polar_moment()),
                 // Its own weight along the well, for now.
                 tension: weight * it.along[2] * it.length,
