@@ -49,6 +49,15 @@ def test_a_motion_is_that_of_the_command(command, tmp_path, file):
         assert words in labels
 
 
+def test_what_the_bit_feels_is_how_its_rate_changes(file):
+    simulation = ds.Sweep.read(file).simulate(case=3)
+    motion, row = simulation.motion, simulation.row
+    accelerations = np.diff(motion.rate_of_penetration) / np.diff(motion.time) / 9.80665
+    peak = row["axial_acceleration_peak_g"]
+    assert np.isclose(np.abs(accelerations), peak, rtol=1e-9).any()
+    assert 0 < row["axial_acceleration_rms_g"] < peak
+
+
 def test_the_rock_is_left_as_deep_as_its_deepest_cut(file):
     motion = ds.Sweep.read(file).simulate(case=3).motion
     off_bottom = motion.depth_of_cut < 0

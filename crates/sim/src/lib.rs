@@ -148,7 +148,7 @@ pub use system::System;
 pub use timing::torsion_timing;
 pub use trajectory::Trajectory;
 pub use watch::along::StringTorque;
-pub use watch::axial::{AxialMeasures, AxialRegime};
+pub use watch::axial::{AxialAcceleration, AxialMeasures, AxialRegime};
 pub use watch::lateral::{LateralMeasures, LateralRegime, LyingMeasures};
 pub use watch::shocks::ShockMeasures;
 pub use watch::stress::{Peak, StressMeasures, StressedPlace};

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use sim::{
-    AxialMeasures, Label, LateralMeasures, LyingMeasures, Motion, Outcome, ShockMeasures,
-    StressMeasures, StringTorque, SurfaceMeasures, TorsionMeasures,
+    AxialAcceleration, AxialMeasures, Label, LateralMeasures, LyingMeasures, Motion, Outcome,
+    ShockMeasures, StressMeasures, StringTorque, SurfaceMeasures, TorsionMeasures,
 };
 
 use super::field::{Field, Kind};
@@ -221,6 +221,10 @@ impl<'a> RecordRow<'a> {
 
     pub(super) fn axial(&self) -> Option<AxialMeasures> {
         self.outcome.and_then(Outcome::axial)
+    }
+
+    pub(super) fn axial_acceleration(&self) -> Option<AxialAcceleration> {
+        self.axial().and_then(|axial| axial.acceleration)
     }
 
     pub(super) fn surface(&self) -> Option<SurfaceMeasures> {

@@ -229,6 +229,26 @@ pub static COLUMNS: &[ResultColumn] = &[
     .group(Group::Cutting)
     .measure(),
     number(
+        "axial_acceleration_peak_g",
+        "g",
+        "Greatest acceleration of the bit along its axis in the closing window",
+        |row| row.axial_acceleration().map(|it| to_g(it.peak)).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure()
+    .severity(),
+    number(
+        "axial_acceleration_rms_g",
+        "g",
+        "Acceleration of the bit along its axis, root mean square over the closing window",
+        |row| row.axial_acceleration().map(|it| to_g(it.rms)).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure()
+    .severity(),
+    number(
         "climb_deg",
         "deg",
         "Mean angle from the low side in the closing window",

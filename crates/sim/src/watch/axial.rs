@@ -52,6 +52,20 @@ pub struct AxialMeasures {
     pub peak_weight: f64,
     /// Greatest depth of cut of a blade, m.
     pub peak_depth_of_cut: f64,
+    /// What the bit feels along its axis; none in a window of a single step.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub acceleration: Option<AxialAcceleration>,
+}
+
+/// Acceleration of a bit along its axis, by the difference of its rates in two steps: where it lands
+/// or stops within a step, the greatest grows with the sampling frequency.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct AxialAcceleration {
+    /// The greatest, m/s².
+    pub peak: f64,
+    /// Root mean square, m/s².
+    pub rms: f64,
 }
 
 impl AxialMeasures {
@@ -69,10 +83,11 @@ impl AxialMeasures {
 #[derive(Debug, Clone)]
 pub(crate) struct CutWatch {
     rules: Rules,
+    sampling: Sampling,
     closing_from: usize,
     step: usize,
-    /// Whether it went down in the last step.
-    went_down: bool,
+    /// How fast it went down in the last step, m/s.
+    last_rate: f64,
     /// Times that it stopped going down while it turned.
     stops: usize,
     off_bottom: usize,
@@ -83,6 +98,9 @@ pub(crate) struct CutWatch {
     weight: f64,
     peak_weight: f64,
     peak_depth_of_cut: f64,
+    /// Of its acceleration, m/s².
+    peak_acceleration: f64,
+    sum_of_squares: f64,
 }
 
 impl CutWatch {
@@ -90,9 +108,10 @@ impl CutWatch {
         let window = ((closing_window * sampling.frequency).round() as usize).min(steps);
         Self {
             rules,
+            sampling,
             closing_from: steps.saturating_sub(window.max(1)),
             step: 0,
-            went_down: false,
+            last_rate: 0.0,
             stops: 0,
             off_bottom: 0,
             at_rest: 0,
@@ -102,13 +121,15 @@ impl CutWatch {
             weight: 0.0,
             peak_weight: 0.0,
             peak_depth_of_cut: 0.0,
+            peak_acceleration: 0.0,
+            sum_of_squares: 0.0,
         }
     }
 
     pub(crate) fn see(&mut self, cut: &CutStep) {
         let goes_down = cut.rate > 0.0;
         if self.step >= self.closing_from {
-            let stops = self.went_down && !goes_down && cut.speed > 0.0;
+            let stops = self.last_rate > 0.0 && !goes_down && cut.speed > 0.0;
             self.stops += usize::from(stops);
             self.off_bottom += usize::from(!cut.touches);
             self.at_rest += usize::from(!goes_down && cut.speed > 0.0);
@@ -118,8 +139,13 @@ impl CutWatch {
             self.weight += cut.weight;
             self.peak_weight = self.peak_weight.max(cut.weight);
             self.peak_depth_of_cut = self.peak_depth_of_cut.max(cut.depth_of_cut);
+            if self.step > 0 {
+                let acceleration = (cut.rate - self.last_rate).abs() * self.sampling.frequency;
+                self.peak_acceleration = self.peak_acceleration.max(acceleration);
+                self.sum_of_squares += acceleration * acceleration;
+            }
         }
-        self.went_down = goes_down;
+        self.last_rate = cut.rate;
         self.step += 1;
     }
 
@@ -137,6 +163,8 @@ impl CutWatch {
             AxialRegime::Steady
         };
         let steady = steady_rate(weight, speed);
+        // The first step of a case is the end of none.
+        let differences = self.step.saturating_sub(self.closing_from.max(1));
         AxialMeasures {
             regime,
             rate_of_penetration: rate,
@@ -147,6 +175,10 @@ impl CutWatch {
             mean_weight: weight,
             peak_weight: self.peak_weight,
             peak_depth_of_cut: self.peak_depth_of_cut,
+            acceleration: (differences > 0).then(|| AxialAcceleration {
+                peak: self.peak_acceleration,
+                rms: (self.sum_of_squares / differences as f64).sqrt(),
+            }),
         }
     }
 }
@@ -183,6 +215,27 @@ mod tests {
         assert_eq!(regime(|_| cutting(0.0)).regime, AxialRegime::Steady);
         let once = regime(|step| cutting(if step == 70 { 0.0 } else { 0.01 }));
         assert_eq!(once.regime, AxialRegime::Steady);
+    }
+
+    /// A rate that swings by A at ω: Aω, and that over √2.
+    #[test]
+    fn what_a_bit_feels_is_how_its_rate_changes() {
+        let (swing, turns) = (0.01, 0.05);
+        let found = regime(|step| cutting(0.02 + swing * (turns * step as f64).sin()));
+        let acceleration = found.acceleration.unwrap();
+        let expected = swing * turns;
+        assert!(
+            (acceleration.peak / expected - 1.0).abs() < 1e-3,
+            "{acceleration:?}"
+        );
+        let whole_turn: f64 = (60..100)
+            .map(|step| (turns * (f64::from(step) - 0.5)).cos().powi(2))
+            .sum();
+        let rms = expected * (whole_turn / 40.0).sqrt();
+        assert!(
+            (acceleration.rms / rms - 1.0).abs() < 1e-3,
+            "{acceleration:?} {rms}"
+        );
     }
 
     #[test]
