@@ -259,9 +259,13 @@ impl<'a> Equilibrium<'a> {
                 }
             }
         }
-        let above = self.held_above();
+        let upper_end = self.upper_end();
         for &unknown in self.beam.held_above {
-            matrix.hold(unknown, above[unknown] - self.moved[unknown], &mut right);
+            matrix.hold(
+                unknown,
+                upper_end[unknown] - self.moved[unknown],
+                &mut right,
+            );
         }
         let negative = matrix.solve(&mut right);
         for contact in 0..self.contacts.len() {
@@ -286,7 +290,7 @@ impl<'a> Equilibrium<'a> {
 
     /// Displacement and slope of the uppermost node in both planes, where they are given: it slides as the
     /// highest contact does.
-    fn held_above(&self) -> [f64; FREEDOMS] {
+    fn upper_end(&self) -> [f64; FREEDOMS] {
         let aside = self.beam.aside_above;
         if aside == 0.0 {
             return [0.0; FREEDOMS];

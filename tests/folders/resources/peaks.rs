@@ -130,6 +130,20 @@ fn no_bit_that_cuts_takes_more_memory_than_its_limit() {
     }
     holds("simulate", &long);
     holds("inspect", &fast);
+    let rubs = format!(
+        "{CUTTING}\n[well]\ninclination_deg = 40\n[string_friction]\nstatic_coefficient = 0.2\n\
+         dynamic_ratio = 0.8\npieces = 4\n"
+    );
+    let rubs = with(&rubs, "time_s = 20", "time_s = 200");
+    let rubs = with(
+        &rubs,
+        "sampling_frequency_hz = 200",
+        "sampling_frequency_hz = 400",
+    );
+    for method in ["held", "quadrature", "finite-element"] {
+        holds("run", &by(method, &rubs));
+    }
+    holds("simulate", &rubs);
 }
 
 /// What a run says beforehand has room for looking at what labels depend on, which takes the most

@@ -197,8 +197,8 @@ fn friction_along(
     let coefficient = coefficient.ok_or(CaseError::Missing("friction of the string"))?;
     let mut along = friction.at_nodes(conditions, coefficient);
     if setting.lying.is_some() {
-        // Where it lies on its sites these bear it, and rub: up to half way to where it ends that lies on
-        // them. Of a piece next to that what is above.
+        // Its sites bear, and rub, what lies between them, and half of what lies between the highest and
+        // the upper end of the string at rest. Of a piece that reaches above that, what is above rubs here.
         let places = setting.sites.distances_from_bit();
         let ends = statics::Top::AboveContacts.distance(places, setting.string.length());
         let borne = 0.5 * (places[0] + ends);

@@ -56,7 +56,7 @@ fn moments(state: &StaticState, string: &Drillstring, survey: &Survey) -> ([f64;
     let mut parts = cells.peekable();
     let mut end = parts.peek().map_or(0.0, |part| part.length);
     let density = string.material().density - MUD.density;
-    let (length, top, steps) = (string.length(), state.top(), 40_000);
+    let (length, top, steps) = (string.length(), state.top(), 160_000);
     let along = survey.direction(length);
     let sin = along[0].hypot(along[1]);
     let high = [along[0] * along[2] / sin, along[1] * along[2] / sin, -sin];
@@ -93,14 +93,15 @@ fn moments(state: &StaticState, string: &Drillstring, survey: &Survey) -> ([f64;
     (sums, amount)
 }
 
-/// A random string in a random well, without weight on its bit.
-fn drawn(number: usize, draw: &mut Draw) -> (Drillstring, Survey, LyingString) {
+/// A random string in a random well, without weight on its bit; cut 3 m and more above its contacts, or
+/// next above them where it lies on its hole above, too.
+fn drawn(number: usize, top: Option<Top>, draw: &mut Draw) -> (Drillstring, Survey, LyingString) {
     let Well { string, survey } = Well::draw(number, draw);
-    let top = string.length().min(300.0);
-    let contacts = contacts(&string, top - 3.0, draw);
+    let highest = string.length().min(300.0);
+    let contacts = contacts(&string, highest - 3.0, draw);
     let conditions = Conditions {
         mud: Some(MUD),
-        top: Top::At(top),
+        top: top.unwrap_or(Top::At(highest)),
         ..Conditions::new(YOUNGS_MODULUS, Course::Surveyed(survey.clone()))
     };
     let lying = LyingString::new(&string, &conditions, &contacts).unwrap();
@@ -131,7 +132,9 @@ fn assert_in_balance(state: &StaticState, string: &Drillstring, survey: &Survey,
 fn val_contacts_bear_what_presses_random_strings_in_random_wells() {
     for number in 0..45 {
         let mut draw = Draw::new(number);
-        let (string, survey, lying) = drawn(number, &mut draw);
+        // Every third is cut next above its contacts.
+        let top = (number % 3 == 0).then_some(Top::AboveContacts);
+        let (string, survey, lying) = drawn(number, top, &mut draw);
         let lying = lying.under(draw.uniform(0.0, 60e3));
         for friction in [0.0, 0.3] {
             let state = lying.sliding(friction).unwrap();
@@ -143,12 +146,18 @@ fn val_contacts_bear_what_presses_random_strings_in_random_wells() {
 
 /// Under most of the weight that buckles strings held at all contacts, which is far more than what
 /// buckles them free. Of 40 such states of each of 45 strings two were not found, at 96 and 99 % of that
-/// weight.
+/// weight; of 14 of each cut next above its contacts five, all at 99 %.
 #[test]
 fn val_random_strings_have_a_state_up_to_where_they_buckle_between_contacts() {
+    for top in [None, Some(Top::AboveContacts)] {
+        assert_found_under_weight(top);
+    }
+}
+
+fn assert_found_under_weight(top: Option<Top>) {
     let mut unstable = 0;
     for number in 0..15 {
-        let (string, survey, lying) = drawn(number, &mut Draw::new(number));
+        let (string, survey, lying) = drawn(number, top, &mut Draw::new(number));
         let (mut low, mut high) = (0.0, 1e7);
         while high - low > 1e-3 * high {
             let middle = 0.5 * (low + high);
