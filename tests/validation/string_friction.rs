@@ -285,6 +285,34 @@ fn results_depend_on_what_the_files_say() {
     );
 }
 
+/// Collars rub at the radius of the blades next to them, and where they are too long for that at their
+/// own, in a level well.
+#[test]
+fn val_collars_rub_at_the_radius_of_blades_that_carry_them() {
+    let place = Workplace::new();
+    place.write(
+        "bladed.toml",
+        "surface_speed_rpm = 60\ntime_s = 10\n[string]\nshear_modulus_gpa = 79.3\n\
+         density_kg_m3 = 7850\ntorsional_damping_nms_rad_m = 0.05\n\
+         [[string.sections]]\nrepeat = 1\nparts = [\n\
+         { length_m = 60, inner_radius_m = 0.04, outer_radius_m = 0.1 },\n\
+         { length_m = 1, inner_radius_m = 0.04, outer_radius_m = 0.1, contact_radius_m = 0.15 },\n\
+         { length_m = 8, inner_radius_m = 0.04, outer_radius_m = 0.1 },\n]\n\
+         [well]\ninclination_deg = 90\n[string_friction]\nstatic_coefficient = 0.2\n\
+         pressed_by = \"weight\"\n",
+    );
+    let answer = place.sweep(&["inspect", "bladed.toml", "--json"]);
+    assert_eq!(answer.code, 0, "{}", answer.errors);
+    let inspected: serde_json::Value = serde_json::from_str(&answer.output).unwrap();
+    let found = inspected["well"]["torque_to_turn_off_bottom_knm"].as_f64();
+    let weight = 7.850 * 9.80665 * std::f64::consts::PI * (0.1_f64.powi(2) - 0.04_f64.powi(2));
+    let expected = weight * (60.0 * 0.1 + 9.0 * 0.15);
+    assert!(
+        (found.unwrap() / expected - 1.0).abs() < 1e-9,
+        "{found:?} {expected}"
+    );
+}
+
 /// As many pieces as a tolerance takes, in words and in the manifest; a file that gives their
 /// number may be the base.
 #[test]

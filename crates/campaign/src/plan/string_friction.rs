@@ -12,7 +12,9 @@ use super::hole::survey_along;
 use crate::design::Design;
 use crate::quantities::Axis;
 use crate::quantities::RPM;
-use crate::sweep_file::{FileContent, MethodName, PressedByName, Source, SweepFileError};
+use crate::sweep_file::{
+    FileContent, MethodName, PressedByName, SectionTable, Source, SweepFileError, TubeTable,
+};
 
 /// More pieces than a string has joints make nothing better.
 const MOST_PIECES: usize = 2000;
@@ -147,7 +149,15 @@ pub fn resolve(
         PressedByName::WeightAndTension => PressedBy::WeightAndTension,
         PressedByName::Weight => PressedBy::Weight,
     };
-    let force = SideForce::new(string, survey, mud, pressed_by);
+    let touching = |section: &SectionTable| {
+        section
+            .parts
+            .iter()
+            .map(TubeTable::contact_radius)
+            .collect()
+    };
+    let touching: Vec<Vec<f64>> = content.string.sections.iter().map(touching).collect();
+    let force = SideForce::touching(string, &touching, survey, mud, pressed_by);
     let weights = weights_on_bit(conditions, design);
     let by_tolerance = table.tolerance.is_some();
     let (key, pieces) = match table.tolerance {

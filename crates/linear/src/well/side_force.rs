@@ -8,7 +8,7 @@ use super::quasi_static_twist::{QuasiStaticTwist, Stretch};
 use super::short_lengths::{ShortLength, short_lengths};
 use super::supports::supports;
 use super::survey::{Survey, Vector, combine, length};
-use crate::drillstring::Drillstring;
+use crate::drillstring::{Drillstring, Section};
 use crate::surroundings::Mud;
 
 /// What is taken to press a string against its well.
@@ -55,8 +55,28 @@ impl SideForce {
         mud: Option<Mud>,
         pressed_by: PressedBy,
     ) -> Self {
+        let own = |section: &Section| {
+            let parts = section.parts.iter();
+            parts.map(|part| part.outer_radius).collect()
+        };
+        let touching: Vec<Vec<f64>> = string.sections().iter().map(own).collect();
+        Self::touching(string, &touching, survey, mud, pressed_by)
+    }
+
+    /// The same of a string whose parts touch the wall at other radii than that of their body, as
+    /// stabilisers with their blades: `contact_radii` has those of each part of each section, m.
+    ///
+    /// # Panics
+    /// Where there is not a radius for each part.
+    pub fn touching(
+        string: &Drillstring,
+        contact_radii: &[Vec<f64>],
+        survey: &Survey,
+        mud: Option<Mud>,
+        pressed_by: PressedBy,
+    ) -> Self {
         let heavier = string.material().density - mud.map_or(0.0, |mud| mud.density);
-        let supports = supports(string, heavier);
+        let supports = supports(string, contact_radii, heavier);
         let piece = |it: ShortLength| {
             let weight = heavier * it.part.area() * GRAVITY;
             let turn = match pressed_by {

@@ -36,13 +36,18 @@ impl Supports {
 /// What carries each part of a string from the surface down, cells that repeat one after the other,
 /// `heavier` than what is around it by so much (kg/m³). A part is carried by the nearest wider ones
 /// above and below it if between them, level, it sags by less than they are wider, and so on where
-/// those are carried. The ends of the string are held.
-pub(super) fn supports(string: &Drillstring, heavier: f64) -> Vec<Supports> {
-    let placed = placed(string);
+/// those are carried. The ends of the string are held. `contact_radii` are those with which each part of
+/// each section touches the wall, m.
+pub(super) fn supports(
+    string: &Drillstring,
+    contact_radii: &[Vec<f64>],
+    heavier: f64,
+) -> Vec<Supports> {
+    let placed = placed(string, contact_radii);
     let mut supports: Vec<Supports> = placed.iter().map(Placed::alone).collect();
     let mut widest_first: Vec<usize> = (0..placed.len()).collect();
     widest_first.sort_by(|&one, &other| {
-        let radius = |index: usize| placed[index].part.outer_radius;
+        let radius = |index: usize| placed[index].radius;
         radius(other).total_cmp(&radius(one))
     });
     let above = nearest_wider(placed.iter());
@@ -57,14 +62,14 @@ pub(super) fn supports(string: &Drillstring, heavier: f64) -> Vec<Supports> {
         let to = bottom.map_or(placed[last].depths.end, |it| placed[it].depths.start);
         let part = placed[index].part;
         let wider = carriers.into_iter().flatten();
-        let wider = wider.map(|it| placed[it].part.outer_radius - part.outer_radius);
+        let wider = wider.map(|it| placed[it].radius - placed[index].radius);
         let weight = heavier * part.area() * GRAVITY;
         let sag = weight * (to - from).powi(4) / (CLAMPED * rigidity * part.second_moment());
         // Without a carrier there is nothing that it could sag less than.
         if sag < wider.reduce(f64::min).unwrap_or(0.0) {
             let upper = top.map(|it| supports[it].below);
             let lower = bottom.map(|it| supports[it].above);
-            let own = part.outer_radius;
+            let own = placed[index].radius;
             supports[index] = Supports {
                 above: upper.or(lower).unwrap_or(own),
                 below: lower.or(upper).unwrap_or(own),
@@ -78,6 +83,8 @@ pub(super) fn supports(string: &Drillstring, heavier: f64) -> Vec<Supports> {
 /// A part in its place.
 struct Placed<'string> {
     part: &'string Tube,
+    /// With which it touches the wall, m.
+    radius: f64,
     /// From the surface, m.
     depths: Range<f64>,
 }
@@ -86,27 +93,34 @@ impl Placed<'_> {
     /// It lies on itself.
     fn alone(&self) -> Supports {
         Supports {
-            above: self.part.outer_radius,
-            below: self.part.outer_radius,
+            above: self.radius,
+            below: self.radius,
             middle: self.depths.start,
         }
     }
 }
 
-fn placed(string: &Drillstring) -> Vec<Placed<'_>> {
-    let sections = string.sections().iter();
-    let parts = sections.flat_map(|it| (0..it.repeat).flat_map(|_| &it.parts));
+fn placed<'string>(
+    string: &'string Drillstring,
+    contact_radii: &[Vec<f64>],
+) -> Vec<Placed<'string>> {
+    let mut placed = Vec::new();
     let mut top = 0.0;
-    let in_place = |part: &'_ Tube| {
-        let start = top;
-        top += part.length;
-        start..top
-    };
-    let depths: Vec<Range<f64>> = parts.clone().map(in_place).collect();
-    let pairs = parts.zip(depths);
-    pairs
-        .map(|(part, depths)| Placed { part, depths })
-        .collect()
+    for (section, radii) in string.sections().iter().zip(contact_radii) {
+        for _ in 0..section.repeat {
+            for (part, &radius) in section.parts.iter().zip(radii) {
+                let bottom = top + part.length;
+                let depths = top..bottom;
+                placed.push(Placed {
+                    part,
+                    radius,
+                    depths,
+                });
+                top = bottom;
+            }
+        }
+    }
+    placed
 }
 
 /// The nearest wider part before each, by its number in this order.
@@ -116,7 +130,7 @@ fn nearest_wider<'string>(
     // Those before the part that nothing nearer hides, from the widest to the narrowest.
     let mut seen: Vec<(usize, f64)> = Vec::new();
     let nearest = |(index, placed): (usize, &Placed)| {
-        let radius = placed.part.outer_radius;
+        let radius = placed.radius;
         while seen.last().is_some_and(|(_, other)| *other <= radius) {
             seen.pop();
         }

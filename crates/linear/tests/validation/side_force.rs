@@ -86,14 +86,18 @@ fn torque(sections: &[(usize, &[Tube])]) -> f64 {
     });
     let steel = pipe().material();
     let string = Drillstring::new(steel, sections.collect(), 0.0).unwrap();
+    let force = SideForce::new(&string, &level(), None, PressedBy::Weight);
+    force.friction_torques(1, 0.0)[0]
+}
+
+/// A well that is level from its mouth on.
+fn level() -> Survey {
     let station = |measured_depth| Station {
         measured_depth,
         inclination: std::f64::consts::FRAC_PI_2,
         azimuth: 0.0,
     };
-    let survey = Survey::new(vec![station(0.0), station(1e5)]).unwrap();
-    let force = SideForce::new(&string, &survey, None, PressedBy::Weight);
-    force.friction_torques(1, 0.0)[0]
+    Survey::new(vec![station(0.0), station(1e5)]).unwrap()
 }
 
 /// The same of parts that lie at these diameters each, m.
@@ -155,6 +159,27 @@ fn val_a_collar_lies_on_its_stabilisers_until_it_sags() {
         let string = [upper, between, lower];
         assert_alike(torque(&[(1, &string)]), lying);
     }
+}
+
+/// Blades, narrow in body: the collars next to them lie on them.
+#[test]
+fn val_collars_lie_on_blades() {
+    let parts = [tube(8.0, 0.203), tube(1.0, 0.203), tube(60.0, 0.203)];
+    let steel = pipe().material();
+    let section = Section {
+        repeat: 1,
+        parts: parts.to_vec(),
+    };
+    let string = Drillstring::new(steel, vec![section], 0.0).unwrap();
+    let force = SideForce::touching(
+        &string,
+        &[vec![0.1015, 0.155, 0.1015]],
+        &level(),
+        None,
+        PressedBy::Weight,
+    );
+    let lying = lying_at(&[(parts[0], 0.31), (parts[1], 0.31), (parts[2], 0.203)]);
+    assert_alike(force.friction_torques(1, 0.0)[0], lying);
 }
 
 /// What carries may be carried: pipe on joints, these on two stabilisers near each other.
