@@ -392,6 +392,27 @@ fn texts_are_in_plain_words() {
     );
 }
 
+/// On pages, but for headings; "in in" is inches, and `x` code that is left out.
+#[test]
+fn no_word_stands_twice() {
+    let mut found = Vec::new();
+    for (path, text) in texts() {
+        if path.extension().is_none_or(|it| it != "md") {
+            continue;
+        }
+        let page = without_code(&text);
+        let is_text = |line: &&str| !line.starts_with('#');
+        let lines = page.lines().filter(is_text);
+        let words: Vec<&str> = lines.flat_map(str::split_whitespace).collect();
+        let twice = words.windows(2).filter(|pair| {
+            let is_word = pair[0].chars().all(char::is_alphanumeric);
+            is_word && pair[0] == pair[1] && !["in", "x"].contains(&pair[0])
+        });
+        found.extend(twice.map(|pair| format!("{}: {} {}\n", path.display(), pair[0], pair[1])));
+    }
+    assert!(found.is_empty(), "{}", found.concat());
+}
+
 /// Exceptions that nothing needs any more would hide new faults.
 #[test]
 fn every_exception_is_needed() {
