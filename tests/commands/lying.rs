@@ -64,6 +64,28 @@ fn a_string_with_too_few_sites_to_lie_on_is_warned_of() {
     assert!(!answer.errors.contains("sites"), "{}", answer.errors);
 }
 
+/// Where the others are found there is nothing to warn of, and one that nothing holds at its surface gets
+/// a site next to that.
+#[test]
+fn a_string_whose_sites_are_found_is_not_warned_of() {
+    let found = LYING.replace("sites = \"ends\"", "sites = \"auto\"");
+    let place = Workplace::with_small(&found);
+    let answer = place.answer(&["simulate", "small.toml", "--out", "case"]);
+    assert!(
+        !answer.errors.contains("too few sites"),
+        "{}",
+        answer.errors
+    );
+    assert!(
+        answer.output.contains("63, 71, 71.8 m"),
+        "{}",
+        answer.output
+    );
+    let inspected = place.answer(&["inspect", "small.toml"]);
+    let words = "its other sites are found as each case is simulated";
+    assert!(inspected.output.contains(words), "{}", inspected.output);
+}
+
 #[test]
 fn an_inspection_says_how_a_string_lies_in_its_hole() {
     let place = Workplace::with_small(LYING);

@@ -16,8 +16,10 @@ const MOST_WEIGHT: f64 = 5e6;
 const FAR_BEYOND: f64 = 0.75;
 
 /// What keeps a string within its wall.
-pub const MORE_SITES: &str =
-    "too few sites there: `sites = \"ends\"`, or a smaller `sites_every_m`";
+const MORE_SITES: &str = "too few sites there: `sites = \"ends\"`, or a smaller `sites_every_m`";
+
+/// What does where sites are found.
+const FOUND_SITES: &str = "its other sites are found as each case is simulated";
 
 /// The highest contacts that touch are bent by how the string is cut above them.
 const BENT_BY_CUT: usize = 3;
@@ -92,6 +94,9 @@ pub struct BeyondWall {
     pub clearance_mm: f64,
     /// Whether sites are too few to hold it to its wall.
     pub is_far: bool,
+    /// Whether others are found.
+    #[serde(skip)]
+    finds_sites: bool,
 }
 
 /// A string that turns and slides where it lies.
@@ -277,18 +282,23 @@ fn trusted(state: &StaticState, length: f64) -> f64 {
 
 impl BeyondWall {
     /// That of a setting at rest under conditions, where the string lies in its hole and goes far
-    /// beyond its wall.
+    /// beyond its wall, and no other sites are found.
     pub fn far(setting: &Setting, conditions: &Conditions) -> Option<Self> {
         let lying = setting.lying_string(conditions, None)?.ok()?;
         let beyond = Self::of(setting, conditions, &lying.at_rest().ok()?)?;
-        beyond.is_far.then_some(beyond)
+        (beyond.is_far && !beyond.finds_sites).then_some(beyond)
     }
 
-    /// By how much and where, in units.
+    /// By how much and where, in units, and what keeps it from that where it is far.
     pub fn words(&self, units: Units) -> String {
         let by = units.of(&WIDTH).text(self.by_mm, 2);
         let place = units.of(&LENGTH).text(self.from_bit_m, 2);
-        format!("up to {by} beyond its wall, {place} from the bit")
+        let advice = match (self.is_far, self.finds_sites) {
+            (false, _) => String::new(),
+            (true, false) => format!(": {MORE_SITES}"),
+            (true, true) => format!(": {FOUND_SITES}"),
+        };
+        format!("up to {by} beyond its wall, {place} from the bit{advice}")
     }
 
     /// As far as it is as in a longer model and has sites, unless the bit is the only one.
@@ -323,6 +333,7 @@ impl BeyondWall {
                 from_bit_m: place.distance_from_bit,
                 clearance_mm: 1e3 * clearance,
                 is_far: by > FAR_BEYOND * greatest.max(clearance),
+                finds_sites: (setting.lateral.as_ref()).is_some_and(|it| it.finding.is_some()),
             })
         };
         let between = state.along().filter(is_between).filter_map(beyond);

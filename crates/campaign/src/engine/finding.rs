@@ -104,7 +104,7 @@ fn next_system(
     for bulge in &bulges {
         let places = [
             site_near(bulge, finding, &clearances),
-            rounded(clearances.length() - bulge.depth),
+            rounded(clearances.length() - bulge.depth.max(LEAST_APART)),
         ];
         let is_free = |place: &f64| {
             let mut others = known.iter().chain(&new);

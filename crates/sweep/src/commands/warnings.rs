@@ -5,7 +5,7 @@ use crate::cli::MemoryArguments;
 use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
-use campaign::static_string::{BeyondWall, MORE_SITES};
+use campaign::static_string::BeyondWall;
 use campaign::words::counted;
 use limits::MOST_SITES;
 use results::log::Log;
@@ -45,9 +45,7 @@ pub fn warn_of_limits(sweep: &Sweep, terminal: Terminal) {
 pub fn warn_of_few_sites(sweep: &Sweep, terminal: Terminal) {
     if let Some(beyond) = BeyondWall::far(&sweep.setting, &sweep.conditions) {
         let words = beyond.words(sweep.content.units);
-        terminal.complain(&format!(
-            "warning: at rest the string goes {words}: {MORE_SITES}"
-        ));
+        terminal.complain(&format!("warning: at rest the string goes {words}"));
     }
 }
 

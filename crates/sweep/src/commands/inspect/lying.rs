@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::rows::row;
 use campaign::quantities::{FORCE, LENGTH, STRESS, TORQUE, Unit, Units};
-use campaign::static_string::{AtRest, Greatest, MORE_SITES};
+use campaign::static_string::{AtRest, Greatest};
 use campaign::words::counted;
 
 /// Of more contacts that touch only this number, those next to the bit, have a line each.
@@ -66,16 +66,9 @@ fn in_words(lying: &AtRest, units: Units) -> String {
         (None, Some(reason)) => format!("not known: {reason}"),
         (None, None) => "not up to 5 MN on the bit".to_owned(),
     };
-    let between = lying.beyond_wall.map_or_else(
-        || "within its wall".to_owned(),
-        |it| {
-            let warning = match it.is_far {
-                true => format!(": {MORE_SITES}"),
-                false => String::new(),
-            };
-            it.words(units) + &warning
-        },
-    );
+    let between = lying
+        .beyond_wall
+        .map_or_else(|| "within its wall".to_owned(), |it| it.words(units));
     let stays = match (lying.is_stable, lying.buckles_without_contacts) {
         (true, false) => "yes",
         (true, true) => "yes, held by its contacts: it would buckle without them",
