@@ -7,6 +7,7 @@ mod found_sites;
 mod hole;
 mod paper_lateral;
 mod paper_torsion;
+mod recorded_well;
 mod string_friction;
 mod surface_torque;
 mod top_drive;
