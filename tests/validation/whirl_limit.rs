@@ -7,7 +7,9 @@ use std::f64::consts::TAU;
 
 use crate::support::{Workplace, with};
 use linear::waves::lateral::BendingNetwork;
-use linear::{Bending, Drillstring, Material, Section, Sites, SurfaceSupport, Tube};
+use linear::{
+    Bending, Drillstring, Hole, HoleSection, Material, Mud, Section, Sites, SurfaceSupport, Tube,
+};
 
 const DAMPING: f64 = 100.0;
 const WALL_STIFFNESS: f64 = 1e9;
@@ -199,6 +201,17 @@ fn val_branches_are_continuous_and_balance_the_forces() {
     }
 }
 
+/// Where nothing holds the string back there is no limit, and that is said.
+#[test]
+fn val_a_string_that_nothing_holds_back_has_no_limit() {
+    let sweep = with(SWEEP, "damping_ns_m2 = 100", "damping_ns_m2 = 0");
+    let place = Workplace::with_small(&sweep);
+    let answer = place.sweep(&["run", "small.toml", "--out", "results"]);
+    assert_eq!(answer.code, 0, "{answer:?}");
+    assert!(answer.errors.contains("`damping_ns_m2`"), "{answer:?}");
+    assert!(rolling(&limit(&place)).is_empty());
+}
+
 /// Of any sites together: a staircase over the speeds, each step of which is no lower than what
 /// the forces at its rate need.
 #[test]
@@ -282,20 +295,49 @@ fn val_sites_that_slide_together_whirl_with_no_less_than_any_need() {
 /// the same friction.
 #[test]
 fn val_no_whirl_of_a_dense_scan_is_missed() {
+    assert!(whirls_of_a_dense_scan(SWEEP, &string(295), DAMPING) > 20);
+}
+
+/// The same where nothing but viscous mud holds a shorter string back.
+#[test]
+fn val_no_whirl_in_mud_alone_is_missed() {
+    let string = string(20);
+    let hole = Hole {
+        sections: vec![HoleSection {
+            length: string.length(),
+            radius: 0.5 * 8.5 * 0.0254,
+        }],
+        mud: Mud {
+            density: 1400.0,
+            viscosity: 0.03,
+        },
+    };
+    let sweep = with(SWEEP, "repeat = 295", "repeat = 20");
+    let sweep = with(&sweep, "damping_ns_m2 = 100", "damping_ns_m2 = 0");
+    let sweep = with(
+        &sweep,
+        "[wall]",
+        "[well]\nhole_diameter_in = 8.5\n[mud]\ndensity_kg_m3 = 1400\nviscosity_cp = 30\n[wall]",
+    );
+    let string = string.in_hole(hole).unwrap();
+    assert!(whirls_of_a_dense_scan(&sweep, &string, 0.0) > 10);
+}
+
+/// How many whirls a dense scan finds of the string of a sweep, each of which is in its table.
+fn whirls_of_a_dense_scan(sweep: &str, string: &Drillstring, damping: f64) -> usize {
     let speeds = "surface_speed_rpm = { values = [60, 180] }\n";
-    let rows = limit(&run(&with(SWEEP, speeds, "")));
+    let rows = limit(&run(&with(sweep, speeds, "")));
     let found = rolling(&rows);
-    let string = string();
     let speed = 120.0 * TAU / 60.0;
     let mut whirls = 0;
     for (site, clearance) in SITES {
         let bending = Bending {
             youngs_modulus: 210e9,
-            damping: DAMPING,
+            damping,
             compression: 0.0,
         };
-        let sites = Sites::new(&string, &[site]).unwrap();
-        let network = BendingNetwork::new(&string, bending, SurfaceSupport::Free, &sites).unwrap();
+        let sites = Sites::new(string, &[site]).unwrap();
+        let network = BendingNetwork::new(string, bending, SurfaceSupport::Free, &sites).unwrap();
         let stiffness = |radius: f64| network.at_rate(speed * RADIUS / radius)[(0, 0)].inv();
         let presses_harder = |radius: f64| {
             let wall = WALL_STIFFNESS * (radius - clearance).powf(1.5);
@@ -331,15 +373,16 @@ fn val_no_whirl_of_a_dense_scan_is_missed() {
             }
         }
     }
-    assert!(whirls > 20, "{whirls}");
     assert!(found.iter().filter(|row| row.friction < 9.5).count() <= whirls);
     let least = found.iter().map(|row| row.friction).min_by(f64::total_cmp);
     for row in &found {
         assert_eq!(row.least == "true", Some(row.friction) == least, "{row:?}");
     }
+    whirls
 }
 
-fn string() -> Drillstring {
+/// With as many cells of pipe.
+fn string(cells: usize) -> Drillstring {
     let tube = |length, inner_radius, outer_radius| Tube {
         length,
         inner_radius,
@@ -351,7 +394,7 @@ fn string() -> Drillstring {
     };
     let pipe = vec![tube(9.0, 0.0543, 0.0635), tube(0.5, 0.0413, 0.0841)];
     let collar = vec![tube(9.5, 0.0357, RADIUS)];
-    let sections = [(295, pipe), (20, collar)].map(|(repeat, parts)| Section { repeat, parts });
+    let sections = [(cells, pipe), (20, collar)].map(|(repeat, parts)| Section { repeat, parts });
     Drillstring::new(steel, sections.to_vec(), 1.0).unwrap()
 }
 

@@ -6,7 +6,7 @@
 
 use anyhow::Result;
 use linear::Complex64;
-use linear::estimates::bending_decay_rate;
+use linear::bending_decay::BendingDecay;
 use linear::waves::lateral::BendingNetwork;
 use serde::{Deserialize, Serialize};
 use sim::EccentricMass;
@@ -179,6 +179,7 @@ fn touches(
     let (string, sites) = (&sweep.setting.string, &sweep.setting.sites);
     let network = BendingNetwork::new(string, lateral.bending, lateral.support, sites)?;
     let fastest = fastest_rpm / to_rpm(1.0);
+    let decay = BendingDecay::new(string, &lateral.bending);
     let mut touches = Vec::new();
     for (value, mass) in masses {
         let eccentric = EccentricString {
@@ -188,7 +189,7 @@ fn touches(
                 .collect(),
             mass,
             receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
-            decay_rate: bending_decay_rate(string, &lateral.bending),
+            decay: decay.clone(),
         };
         let Ok(touch) = eccentric.first_touch([SLOWEST * fastest, fastest]) else {
             return Ok(None);

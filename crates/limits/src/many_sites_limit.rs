@@ -1,7 +1,7 @@
 //! The friction below which no steady whirl of any sites lasts, alone or together, from the exact
 //! waves.
 
-use linear::estimates::bending_decay_rate;
+use linear::bending_decay::BendingDecay;
 use linear::waves::lateral::BendingNetwork;
 use linear::{Complex64, DrillstringError};
 use sim::{SitesWhirl, WhirlingSites};
@@ -74,7 +74,7 @@ pub(super) fn whirling_sites<'a>(
             .map(|wall| wall.with_friction(0.0))
             .collect(),
         receptance: |rate: f64| network.at_rate(rate).entries().to_vec(),
-        decay_rate: bending_decay_rate(&setting.string, &lateral.bending),
+        decay: BendingDecay::new(&setting.string, &lateral.bending),
     }
 }
 

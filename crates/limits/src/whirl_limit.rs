@@ -5,7 +5,7 @@
 
 use std::iter;
 
-use linear::estimates::bending_decay_rate;
+use linear::bending_decay::BendingDecay;
 use linear::waves::lateral::BendingNetwork;
 use linear::{DrillstringError, Sites, parallel};
 use serde::{Deserialize, Deserializer, de};
@@ -115,7 +115,12 @@ pub fn whirl_limit(
 ) -> Result<Vec<WhirlPoint>, DrillstringError> {
     let range = range_rpm.map(|speed| speed / to_rpm(1.0));
     let sites = (0..setting.sites.len()).rev().collect();
-    let whirls = parallel::each(sites, |site| of_site(setting, lateral, site, range));
+    let decay = BendingDecay::new(&setting.string, &lateral.bending);
+    let whirls = parallel::each(sites, |site| {
+        let whirling = whirling(setting, lateral, &decay, site)?;
+        let distance_from_bit = setting.sites.distances_from_bit()[site];
+        Ok::<_, DrillstringError>(of_site(&whirling, distance_from_bit, range))
+    });
     let whirls = whirls.into_iter().collect::<Result<Vec<_>, _>>()?;
     let mut points: Vec<WhirlPoint> = whirls.iter().flat_map(rolling_points).collect();
     points.extend(of_any_motion(&whirls, range));
@@ -200,12 +205,10 @@ fn mark_least(points: &mut [WhirlPoint]) {
 }
 
 fn of_site(
-    setting: &Setting,
-    lateral: &LateralSettings,
-    site: usize,
+    whirling: &WhirlingSite<impl Fn(f64) -> [f64; 2]>,
+    distance_from_bit: f64,
     [slowest, fastest]: [f64; 2],
-) -> Result<SiteWhirls, DrillstringError> {
-    let whirling = whirling(setting, lateral, site)?;
+) -> SiteWhirls {
     let rolling = if slowest < fastest {
         let branches = whirling.branches([slowest, fastest]);
         let parts = |branch: &Curve| part_within(branch, [slowest, fastest]);
@@ -215,11 +218,11 @@ fn of_site(
         let sustained = whirls.filter(|whirl| whirl.least_friction <= MOST_FRICTION);
         sustained.map(|whirl| vec![whirl]).collect()
     };
-    Ok(SiteWhirls {
-        distance_from_bit: setting.sites.distances_from_bit()[site],
+    SiteWhirls {
+        distance_from_bit,
         slower: whirling.least_friction(slowest),
         rolling,
-    })
+    }
 }
 
 /// All steady rolling whirls at a surface speed (rad/s) at one site, the others free.
@@ -232,13 +235,15 @@ pub fn rolling_whirls(
     site: usize,
     surface_speed: f64,
 ) -> Result<Vec<SteadyWhirl>, DrillstringError> {
-    Ok(whirling(setting, lateral, site)?.rolling_at(surface_speed))
+    let decay = BendingDecay::new(&setting.string, &lateral.bending);
+    Ok(whirling(setting, lateral, &decay, site)?.rolling_at(surface_speed))
 }
 
 /// A site as the only one: others that are free change nothing.
 fn whirling(
     setting: &Setting,
     lateral: &LateralSettings,
+    decay: &BendingDecay,
     site: usize,
 ) -> Result<WhirlingSite<impl Fn(f64) -> [f64; 2]>, DrillstringError> {
     let distance = setting.sites.distances_from_bit()[site];
@@ -248,7 +253,7 @@ fn whirling(
         // Friction plays no part.
         wall: lateral.walls[site].with_friction(0.0),
         dynamic_stiffness: move |rate| network.dynamic_stiffness(0, rate),
-        decay_rate: bending_decay_rate(&setting.string, &lateral.bending),
+        decay: decay.clone(),
     })
 }
 

@@ -326,12 +326,6 @@ impl Drillstring {
         self.hole.as_ref()
     }
 
-    /// The radii of the hole of mud that it is in, m; none where it is in none.
-    pub(crate) fn hole_radii(&self) -> impl Iterator<Item = f64> {
-        let sections = self.hole.iter().flat_map(|hole| &hole.sections);
-        sections.map(|section| section.radius)
-    }
-
     /// What is around it where it bends, from the surface down.
     pub(crate) fn surroundings(&self) -> Vec<Stretch> {
         let length = self.length();

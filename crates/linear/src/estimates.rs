@@ -26,7 +26,6 @@
 
 use num_complex::Complex64;
 
-use crate::bending::Bending;
 use crate::drillstring::{Drillstring, Tube};
 use crate::in_mud::{self, Alike};
 
@@ -222,20 +221,6 @@ pub fn torsional_inertia(string: &Drillstring) -> f64 {
     moments.sum::<f64>() * string.material().density
 }
 
-/// The least rate, 1/s, at which oscillations of the string in bending decay, for any modes and
-/// supports: the damping over twice the mass where the string is heaviest.
-pub fn bending_decay_rate(string: &Drillstring, bending: &Bending) -> f64 {
-    // Mud adds most in the narrowest hole that the tube may be in.
-    let heaviest = (string.tubes()).fold(0.0, |mass: f64, (_, tube)| {
-        let radii = string
-            .hole_radii()
-            .filter(|radius| *radius > tube.outer_radius);
-        let narrowest = radii.reduce(f64::min);
-        mass.max(string.mass_sideways(tube, narrowest))
-    });
-    bending.damping / (2.0 * heaviest)
-}
-
 /// Time constant, s, in which torque that distributed damping holds back seeps
 /// along the string to a free bit: 4 c_t L/(π² k_eff), or a quarter of that where
 /// the bit is held. Strings of a few kilometres vibrate longer than that; longer
@@ -284,7 +269,9 @@ pub fn torsional_wave_left_at(string: &Drillstring, frequency: f64) -> f64 {
     let s = Complex64::new(0.0, std::f64::consts::TAU * frequency);
     let material = string.material();
     let modulus = string.loss().stiffening(s) * string.modulus();
-    let wave = |Alike { length, tube, mud }: Alike| {
+    let wave = |Alike {
+                    length, tube, mud, ..
+                }: Alike| {
         let section = string.section_constant(&tube);
         let mud = mud.map_or(Complex64::ZERO, |mud| mud.drag(string.channel(), s));
         let drag = mud + string.torsional_damping();

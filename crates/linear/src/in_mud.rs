@@ -11,6 +11,8 @@ pub(crate) struct Alike {
     pub(crate) length: f64,
     /// One of them.
     pub(crate) tube: Tube,
+    /// Radius of the hole around it, m, where it is in one.
+    pub(crate) hole_radius: Option<f64>,
     /// The mud, where it is viscous.
     pub(crate) mud: Option<Annulus>,
 }
@@ -47,6 +49,7 @@ fn runs(
             all.push(Alike {
                 length,
                 tube: *tube,
+                hole_radius: part.around.hole_radius,
                 mud: string.loss().annulus(radii, part.around.hole_radius),
             });
         };

@@ -52,6 +52,7 @@
 //! | how far responses are from the exact ones | [`deviation`] |
 //! | the string in pieces, for torques at many places | [`cascade`] |
 //! | the well, how the string presses on its wall, and what pulls it | [`well`] |
+//! | how fast bending decays at least | [`bending_decay`] |
 //! | buckling, by finite elements | [`bending_modes`] |
 //! | bending moments by forces, of any method | `responses/moments.rs` |
 //! | stress in a tube | [`Stress`] |
@@ -87,6 +88,7 @@ extern crate self as linear;
 mod assembly;
 pub mod axial;
 mod bending;
+pub mod bending_decay;
 pub mod bending_modes;
 pub mod budget;
 pub mod cascade;

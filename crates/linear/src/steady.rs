@@ -166,7 +166,10 @@ fn flexibility_below(string: &Drillstring, distance: f64) -> Below {
 fn held_back_by_mud(string: &Drillstring) -> f64 {
     let modulus = string.modulus();
     let (mut held_back, mut flexibility) = (0.0, 0.0);
-    for Alike { length, tube, mud } in in_mud::one_by_one(string).into_iter().rev() {
+    for Alike {
+        length, tube, mud, ..
+    } in in_mud::one_by_one(string).into_iter().rev()
+    {
         let per_length = 1.0 / (modulus * string.section_constant(&tube));
         let drag = mud.map_or(0.0, |mud| mud.steady_drag(string.channel()));
         held_back += drag * length * (flexibility + 0.5 * length * per_length);

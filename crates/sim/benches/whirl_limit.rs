@@ -5,8 +5,9 @@
 use std::f64::consts::TAU;
 
 use divan::{Bencher, black_box};
+use linear::bending_decay::BendingDecay;
 use linear::waves::lateral::BendingNetwork;
-use linear::{Complex64, Sites, SurfaceSupport, estimates};
+use linear::{Complex64, Sites, SurfaceSupport};
 use problems::academic::{self, BENDING};
 use sim::{Wall, WhirlingSites};
 
@@ -40,7 +41,7 @@ fn of_sites<T>(
         asked(black_box(&WhirlingSites {
             walls: vec![wall; sites],
             receptance: &receptance,
-            decay_rate: estimates::bending_decay_rate(&string, &BENDING),
+            decay: BendingDecay::new(&string, &BENDING),
         }))
     });
 }

@@ -4,6 +4,7 @@
 use num_complex::Complex64;
 
 use super::channels::ChannelResponses;
+use super::drag_at_rest::DragAtRest;
 use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, transform_length};
 use super::request::Request;
 use crate::assembly::lanes::Lanes;
@@ -83,11 +84,11 @@ impl<'a> BendingPlan<'a> {
                 quadrature::buffers(taps, channels, Sampling::Close)
             }
             Method::Hilbert(transform) => {
-                let length = transform_length_of(method, bending, transform, request)?;
+                let length = transform_length_of(string, method, bending, transform, request)?;
                 hilbert::buffers(length, channels)
             }
             Method::DirectIdft(transform) => {
-                let length = transform_length_of(method, bending, transform, request)?;
+                let length = transform_length_of(string, method, bending, transform, request)?;
                 direct::buffers(length, channels)
             }
         };
@@ -205,12 +206,13 @@ impl<'a> BendingPlan<'a> {
             let sampling = Sampling::Close;
             quadrature::taps(formula, frequency, needed, count, sampling, &answer)
         };
+        let drag = DragAtRest::of(self.string, bending);
         let velocity = |s: Lanes, responses: &mut [Lanes]| {
             answer(s, responses);
             for (pair, response) in responses.iter_mut().enumerate() {
                 let answer = *response;
                 *response = Lanes::of_lanes(|lane| match s.lane(lane) {
-                    Complex64::ZERO => self.rigid(pair).into(),
+                    Complex64::ZERO => self.rigid(pair, &drag).into(),
                     s => s * answer.lane(lane),
                 });
             }
@@ -234,10 +236,10 @@ impl<'a> BendingPlan<'a> {
         })
     }
 
-    /// The velocity response at zero frequency, where the string moves as a rigid rod against its
-    /// dashpots: translation and rotation where the surface is free, rotation alone where it is
+    /// The velocity response at zero frequency, where the string moves as a rigid rod against the
+    /// drag along it: translation and rotation where the surface is free, rotation alone where it is
     /// pinned, nothing where it is clamped. An axial force does not let it turn for ever.
-    fn rigid(&self, response: usize) -> f64 {
+    fn rigid(&self, response: usize, drag: &DragAtRest) -> f64 {
         if let Wanted::Moments(_) = self.wanted {
             // That bends nothing.
             return 0.0;
@@ -248,22 +250,23 @@ impl<'a> BendingPlan<'a> {
             self.request.sites.distances_from_bit(),
         );
         let depth = |site: usize| (length - distances[site]) / length;
-        let (a, b) = (depth(output), depth(input));
+        let places = [depth(output), depth(input)];
         let turns = self.bending.compression == 0.0 && self.string.axial_force().is_empty();
         let springs = self.request.sites.springs().iter();
         let held: Vec<usize> = springs
             .enumerate()
             .filter_map(|(site, spring)| (*spring > 0.0).then_some(site))
             .collect();
-        let shape = match self.support {
-            SurfaceSupport::Free if turns && held.len() == 1 => about(depth(held[0]), a, b),
+        match self.support {
+            SurfaceSupport::Free if turns && held.len() == 1 => {
+                drag.of_turning_about(depth(held[0]), places)
+            }
             _ if !held.is_empty() => 0.0,
-            SurfaceSupport::Free if turns => 1.0 + 12.0 * (a - 0.5) * (b - 0.5),
-            SurfaceSupport::Free => 1.0,
-            SurfaceSupport::Pinned if turns => 3.0 * a * b,
+            SurfaceSupport::Free if turns => drag.of_rod(places),
+            SurfaceSupport::Free => 1.0 / drag.whole,
+            SurfaceSupport::Pinned if turns => drag.of_turning_about(0.0, places),
             SurfaceSupport::Pinned | SurfaceSupport::Clamped => 0.0,
-        };
-        shape / (self.bending.damping * length)
+        }
     }
 
     fn element_taps(&self, parameters: &FiniteElement) -> Result<Vec<Vec<f64>>, BuildError> {
@@ -315,21 +318,15 @@ fn pairs(method: &Method, sites: usize) -> Vec<Pair> {
     (0..sites).flat_map(row).collect()
 }
 
-/// What a rod that turns about one place makes of a force, as against one that is pushed aside:
-/// places in parts of its length.
-fn about(pivot: f64, a: f64, b: f64) -> f64 {
-    let square = ((1.0 - pivot).powi(3) + pivot.powi(3)) / 3.0;
-    (a - pivot) * (b - pivot) / square
-}
-
 /// Length of the transform behind a filter, which is twice as long as the simulation.
 fn transform_length_of(
+    string: &Drillstring,
     method: &Method,
     bending: &Bending,
     transform: &Transform,
     request: &Request,
 ) -> Result<usize, BuildError> {
-    if bending.damping <= 0.0 {
+    if bending.damping <= 0.0 && string.loss().viscous_mud().is_none() {
         let method = method.name();
         return Err(BuildError::NeedsDamping { method });
     }

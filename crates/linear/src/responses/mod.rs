@@ -30,6 +30,7 @@
 mod bending;
 mod channels;
 mod decay;
+mod drag_at_rest;
 mod driven_surface;
 mod earlier;
 pub(crate) mod length;

@@ -4,7 +4,7 @@
 use linear::deviation::ExactMotions;
 use linear::elements::error_of_drag;
 use linear::estimates::{largest_undershoot, torsional_resistance, torsional_travel_time};
-use linear::method::FiniteElement;
+use linear::method::{FiniteElement, Transform};
 use linear::modes::{damped_modes, torsional_modes};
 use linear::natural_frequencies::NaturalFrequencies;
 use linear::waves::inversion::time_response;
@@ -501,4 +501,72 @@ fn val_a_pinned_collar_in_mud_swings_as_its_equation_says() {
     let expected = 2.0 / 30.0 / slope / near;
     let found = 0.5 * (pinned(s + near) - pinned(s - near));
     assert!((found / expected - 1.0).norm() < 1e-5, "{found} {expected}");
+}
+
+/// What is pushed aside stays where drag along the string left it: pipe and collars, which mud holds
+/// back differently, shift and turn as a rod does, by the method that samples what they do in the
+/// end and by one that does not.
+#[test]
+fn val_a_free_string_in_mud_ends_where_its_drag_leaves_it() {
+    let parts = [(40.0, 0.0635), (20.0, 0.1)].map(|(length, outer_radius)| Tube {
+        length,
+        inner_radius: 0.04,
+        outer_radius,
+    });
+    let sections = parts.map(|part| Section {
+        repeat: 1,
+        parts: vec![part],
+    });
+    let string = Drillstring::new(STEEL, sections.to_vec(), 1.0).unwrap();
+    let string = string.in_hole(hole(60.0, 0.12, 0.5)).unwrap();
+    for damping in [0.0, 3.0] {
+        let bending = Bending {
+            youngs_modulus: 210e9,
+            damping,
+            compression: 0.0,
+        };
+        let drags = parts.map(|part| {
+            let radii = [part.inner_radius, part.outer_radius];
+            let at_rest = Complex64::new(1e-9, 0.0);
+            damping + string.loss().against_moving(radii, Some(0.12), at_rest).re
+        });
+        // Moments of the drag about the surface, by parts of the length.
+        let moment = |power: i32| {
+            let part = |from: f64, to: f64| {
+                (to.powi(power + 1) - from.powi(power + 1)) / f64::from(power + 1)
+            };
+            60.0 * (drags[0] * part(0.0, 2.0 / 3.0) + drags[1] * part(2.0 / 3.0, 1.0))
+        };
+        let [whole, first, second] = [0, 1, 2].map(moment);
+        // At the bit, of a force there: (1, 1) M⁻¹ (1, 1)ᵀ.
+        let expected = (second - 2.0 * first + whole) / (whole * second - first * first);
+        let found = [
+            Method::Quadrature,
+            Method::Hilbert(Transform {
+                seconds: Some(400.0),
+            }),
+        ]
+        .map(|method| {
+            let request = Request {
+                sites: Sites::bit(),
+                channels: vec![ChannelRequest::Bending {
+                    bending,
+                    support: SurfaceSupport::Free,
+                }],
+                sampling_frequency: 200.0,
+                longest_time: 40.0,
+            };
+            let responses = linear::responses(&string, &method, &request).unwrap();
+            responses.bending().unwrap().from_loads[0][0]
+                .last()
+                .unwrap()
+                * 200.0
+        });
+        for found in found {
+            assert!(
+                (found / expected - 1.0).abs() < 1e-6,
+                "{damping} {found} {expected}"
+            );
+        }
+    }
 }

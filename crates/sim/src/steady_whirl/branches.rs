@@ -134,7 +134,7 @@ impl<K: Fn(f64) -> [f64; 2]> Trace<'_, K> {
     /// Adds what lies above the first of two points, up to the second.
     fn between(&mut self, points: [&Point; 2]) {
         let [low, high] = points;
-        let variation = self.site.variation();
+        let variation = self.site.variation_above(low.sample.rate);
         let distance = variation.distance(low.sample.rate, high.sample.rate);
         if self.has_none(points) {
             self.is_open = false;
@@ -156,7 +156,7 @@ impl<K: Fn(f64) -> [f64; 2]> Trace<'_, K> {
 
     /// Whether it is certain that nothing wanted lies between two points.
     fn has_none(&self, [low, high]: [&Point; 2]) -> bool {
-        let variation = self.site.variation();
+        let variation = self.site.variation_above(low.sample.rate);
         let real = variation.real_range([&low.sample, &high.sample]);
         let rates = [low.sample.rate, high.sample.rate];
         let [slowest, fastest] = &self.range;
@@ -171,7 +171,8 @@ impl<K: Fn(f64) -> [f64; 2]> Trace<'_, K> {
         let [low, middle, high] = points.map(|point| point.pressing);
         let is_straight = (middle - 0.5 * (low + high)).abs() <= OFF_CHORD;
         let ends = [points[0], points[2]].map(Point::place);
-        let [least, _] = self.site.variation().pressing_range(ends);
+        let variation = self.site.variation_above(points[0].sample.rate);
+        let [least, _] = variation.pressing_range(ends);
         let is_close = distance <= FURTHEST || least.sinh() > LITTLE_FRICTION.recip();
         match self.wanted {
             Wanted::Least => is_straight && is_close,

@@ -19,8 +19,9 @@
 //! it goes round at r = H_jm F − H_jj (1 + iμ) N, with the phases that make r real.
 
 use linear::Complex64;
+use linear::bending_decay::BendingDecay;
 
-use super::LEAST_DECAY;
+use super::is_damped;
 use super::variation::Variation;
 use crate::excitation::EccentricMass;
 use crate::laws::wall::Wall;
@@ -48,8 +49,8 @@ pub struct EccentricString<H> {
     pub mass: EccentricMass,
     /// The receptance H at the sites, row by row (m/N), at a rate (rad/s).
     pub receptance: H,
-    /// σ, 1/s, as of [`super::WhirlingSite`].
-    pub decay_rate: f64,
+    /// How fast oscillations decay at least, as of [`super::WhirlingSite`].
+    pub decay: BendingDecay,
 }
 
 /// The lowest speed at which forward whirl touches a wall.
@@ -94,10 +95,10 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
     pub fn first_touch(&self, surface_speeds: [f64; 2]) -> Result<Option<LowestTouch>, SceneError> {
         let [slowest, fastest] = surface_speeds;
         positive("surface speed in rad/s", slowest)?;
-        if self.decay_rate <= LEAST_DECAY * fastest {
+        if !is_damped(&self.decay, fastest) {
             return Err(SceneError::OutOfRange {
                 quantity: "rate in 1/s at which the string's oscillations decay",
-                value: self.decay_rate,
+                value: self.decay.corner_below(fastest).decay_rate,
                 expected: "more than a millionth of the surface speed in rad/s",
             });
         }
@@ -186,9 +187,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
 
     /// The first touch from the lower of two speeds on, up to the higher one.
     fn between(&self, [low, high]: [&Sample; 2]) -> Option<LowestTouch> {
-        let variation = Variation {
-            decay_rate: self.decay_rate,
-        };
+        let variation = Variation::above(&self.decay, low.rate);
         let middle = 0.5 * (low.rate + high.rate);
         let [below, above] = [low, high].map(|end| variation.distance(end.rate, middle));
         let reaches = [

@@ -31,10 +31,11 @@
 //! at two rates bounds that between them ([`Variation::least_harmonic`]).
 
 use linear::Complex64;
+use linear::bending_decay::BendingDecay;
 
 use super::pencil::Pencil;
 use super::variation::Variation;
-use super::{LEAST_DECAY, MOST_FRICTION};
+use super::{MOST_FRICTION, is_damped};
 use crate::laws::wall::Wall;
 
 /// Between the rates examined no λ exceeds the greatest found by more than this fraction of it …
@@ -57,8 +58,8 @@ pub struct WhirlingSites<H> {
     pub walls: Vec<Wall>,
     /// The receptance H at the sites, row by row (m/N), at a rate (rad/s).
     pub receptance: H,
-    /// σ, 1/s, as of [`super::WhirlingSite`].
-    pub decay_rate: f64,
+    /// How fast oscillations decay at least, as of [`super::WhirlingSite`].
+    pub decay: BendingDecay,
 }
 
 /// The least friction that steady backward whirl needs, at any of several sites, alone or
@@ -88,9 +89,9 @@ impl<H: Fn(f64) -> Vec<Complex64>> WhirlingSites<H> {
         let ratios = self.walls.iter().map(|wall| wall.radius / wall.clearance);
         let ratio = ratios.fold(0.0, f64::max);
         // At slower rates damping alone needs more.
-        let slowest = 2.0 * self.decay_rate / MOST_FRICTION;
+        let slowest = 2.0 * self.decay.least() / MOST_FRICTION;
         let [middle, fastest] = surface_speeds.map(|speed| (speed * ratio).max(slowest));
-        if self.decay_rate <= LEAST_DECAY * fastest || slowest >= fastest {
+        if !is_damped(&self.decay, fastest) || slowest >= fastest {
             return Vec::new();
         }
         let mut search = Search {
@@ -117,8 +118,6 @@ struct Point {
     pencil: Pencil,
     /// λ.
     ratio: f64,
-    /// arccot λ − arccot(ω/2σ).
-    excess: f64,
 }
 
 struct Search<'a, H> {
@@ -133,20 +132,14 @@ struct Search<'a, H> {
 impl<H: Fn(f64) -> Vec<Complex64>> Search<'_, H> {
     fn point(&self, rate: f64) -> Point {
         let receptance = (self.sites.receptance)(rate);
-        let most = self.most_of_any(rate);
+        let most = most_of_any(rate, self.sites.decay.corner_below(rate).carried);
         let pencil = Pencil::new(&receptance, most);
         let ratio = pencil.ratio();
         Point {
             rate,
-            excess: arccot(ratio) - arccot(most),
             pencil,
             ratio,
         }
-    }
-
-    /// ω/2σ.
-    fn most_of_any(&self, rate: f64) -> f64 {
-        0.5 * rate / self.sites.decay_rate
     }
 
     /// Whether it is certain that no rate between two points presses harder than what is found, but
@@ -156,11 +149,14 @@ impl<H: Fn(f64) -> Vec<Complex64>> Search<'_, H> {
         if self.most * LITTLE_FRICTION >= 1.0 || high.rate - low.rate < NEAREST * high.rate {
             return true;
         }
-        let variation = Variation {
-            decay_rate: self.sites.decay_rate,
-        };
-        let excess = variation.least_harmonic([low, high].map(|point| (point.rate, point.excess)));
-        let least = arccot(self.most_of_any(high.rate)) + excess;
+        let decay = &self.sites.decay;
+        let variation = Variation::above(decay, low.rate);
+        let carried = variation.corner.carried;
+        let excess = variation.least_harmonic([low, high].map(|point| {
+            let of_any = arccot(most_of_any(point.rate, carried));
+            (point.rate, arccot(point.ratio) - of_any)
+        }));
+        let least = arccot(most_of_any(high.rate, carried)) + excess;
         least >= arccot((1.0 + TOLERANCE) * self.most)
     }
 
@@ -211,6 +207,11 @@ impl<H: Fn(f64) -> Vec<Complex64>> Search<'_, H> {
             shares: point.pencil.shares(),
         }
     }
+}
+
+/// ω/2σ.
+fn most_of_any(rate: f64, carried: f64) -> f64 {
+    0.5 * rate / carried
 }
 
 fn arccot(value: f64) -> f64 {

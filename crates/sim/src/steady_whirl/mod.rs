@@ -26,6 +26,7 @@
 //! A mass on a spring with a damper, K = k − mω² + icω, that rolls round its hole:
 //!
 //! ```
+//! use linear::bending_decay::BendingDecay;
 //! use sim::steady_whirl::WhirlingSite;
 //! use sim::Wall;
 //!
@@ -40,7 +41,7 @@
 //!         radius: 0.1,
 //!     },
 //!     dynamic_stiffness: |rate: f64| [stiffness - mass * rate * rate, damping * rate],
-//!     decay_rate: 0.5 * damping / mass,
+//!     decay: BendingDecay::constant(0.5 * damping / mass),
 //! };
 //! let whirls = site.rolling_at(6.0);
 //! assert_eq!(whirls.len(), 1);
@@ -63,6 +64,8 @@ mod rolling;
 mod together;
 mod variation;
 
+use linear::bending_decay::BendingDecay;
+
 use crate::laws::wall::Wall;
 use balance::Balance;
 pub use branches::MOST_FRICTION;
@@ -81,18 +84,17 @@ const MOST_CLEARANCES: f64 = 1e3;
 const LEAST_DECAY: f64 = 1e-6;
 
 /// A place where the string touches the wall, and touches it there alone.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct WhirlingSite<K> {
     /// The wall; its friction plays no part.
     pub wall: Wall,
     /// The real and the imaginary part of the string's dynamic stiffness K (N/m) at
     /// a rate (rad/s).
     pub dynamic_stiffness: K,
-    /// σ, 1/s: everywhere along the string the damping is at least 2σ times the
-    /// mass, so that all oscillations decay at least as fast as exp(−σt). Where it is
-    /// less than a millionth of the fastest rate no whirl is reported: a string without
-    /// damping needs no friction to whirl.
-    pub decay_rate: f64,
+    /// How fast all oscillations of the string decay at least. Where that is less than a millionth
+    /// of the fastest rate no whirl is reported: a string without damping needs no friction to
+    /// whirl.
+    pub decay: BendingDecay,
 }
 
 /// Steady backward whirl at one site.
@@ -112,19 +114,22 @@ pub struct SteadyWhirl {
     pub least_friction: f64,
 }
 
+fn is_damped(decay: &BendingDecay, fastest: f64) -> bool {
+    decay.corner_below(fastest).decay_rate > LEAST_DECAY * fastest
+}
+
 impl<K: Fn(f64) -> [f64; 2]> WhirlingSite<K> {
     /// The slowest and the fastest rate of whirl that are looked for where the string
     /// turns at a speed (rad/s); none where it stands still or is not damped.
     fn rates(&self, surface_speed: f64) -> Option<[f64; 2]> {
         let fastest = surface_speed * self.wall.radius / self.wall.clearance;
-        let is_damped = self.decay_rate > LEAST_DECAY * fastest;
+        let is_damped = is_damped(&self.decay, fastest);
         (is_damped && fastest > 0.0).then_some([fastest / MOST_CLEARANCES, fastest])
     }
 
-    fn variation(&self) -> Variation {
-        Variation {
-            decay_rate: self.decay_rate,
-        }
+    /// Between a rate (rad/s) and faster ones.
+    fn variation_above(&self, rate: f64) -> Variation {
+        Variation::above(&self.decay, rate)
     }
 
     fn sample(&self, rate: f64) -> Sample {

@@ -69,7 +69,7 @@ impl<K: Fn(f64) -> [f64; 2]> Search<'_, K> {
     }
 
     fn has_none(&self, [low, high]: [&Sample; 2]) -> bool {
-        let real = self.site.variation().real_range([low, high]);
+        let real = self.site.variation_above(low.rate).real_range([low, high]);
         let rates = [low.rate, high.rate];
         self.balance.is_positive(real, rates) || self.balance.is_negative(real, rates)
     }
@@ -79,7 +79,7 @@ impl<K: Fn(f64) -> [f64; 2]> Search<'_, K> {
         let width = high.rate - low.rate;
         let mean = (self.excess(high) - self.excess(low)) / width;
         let by_wall = self.balance.inward_slope(high.rate) - self.balance.inward_slope(low.rate);
-        let by_string = width * self.site.variation().curvature([low, high]);
+        let by_string = width * self.site.variation_above(low.rate).curvature([low, high]);
         mean.abs() > by_wall + by_string
     }
 

@@ -1,6 +1,7 @@
 use std::cell::Cell;
 
 use linear::Complex64;
+use linear::bending_decay::BendingDecay;
 use numerics::products::{norm, product_complex};
 use numerics::{Mat, eigenvalues};
 use proptest::prelude::*;
@@ -80,7 +81,7 @@ impl Masses {
         WhirlingSites {
             walls: walls.to_vec(),
             receptance: |rate| self.receptance(walls.len(), rate),
-            decay_rate: self.decay_rate,
+            decay: BendingDecay::constant(self.decay_rate),
         }
     }
 
@@ -94,7 +95,7 @@ impl Masses {
         WhirlingSite {
             wall,
             dynamic_stiffness: |rate| self.stiffness(rate),
-            decay_rate: self.decay_rate,
+            decay: BendingDecay::constant(self.decay_rate),
         }
     }
 }
@@ -214,7 +215,7 @@ fn nothing_varies_faster_than_its_bound() {
     let strategy = (some_masses(), 1.0..400.0f64, 1.0..400.0f64);
     proptest!(ProptestConfig::with_cases(300), |((masses, one, other) in strategy)| {
         let site = masses.on(wall(1e8));
-        let variation = Variation { decay_rate: masses.decay_rate };
+        let variation = Variation::above(&BendingDecay::constant(masses.decay_rate), 1.0);
         let (low, high) = (site.sample(one.min(other)), site.sample(one.max(other)));
         let [least, greatest] = variation.real_range([&low, &high]);
         let places = [low, high].map(|end| (end.rate, end.pressing()));
@@ -470,7 +471,7 @@ fn the_hardest_is_bounded_between_two_rates() {
         (masses, sites, low, apart, part) in strategy,
     )| {
         let sites = sites.min(masses.masses.len());
-        let variation = Variation { decay_rate: masses.decay_rate };
+        let variation = Variation::above(&BendingDecay::constant(masses.decay_rate), 1.0);
         let excess = |rate: f64| {
             let least = (2.0 * masses.decay_rate / rate).atan();
             1.0_f64.atan2(masses.hardest(sites, rate).ratio()) - least
@@ -489,7 +490,7 @@ fn the_hardest_is_bounded_between_two_rates() {
 /// away and both far above σ; and no two are more.
 #[test]
 fn nothing_harmonic_is_bent_more_than_two_resonances() {
-    let (variation, half) = (Variation { decay_rate: 1.0 }, 0.05);
+    let (variation, half) = (Variation::above(&BendingDecay::constant(1.0), 1.0), 0.05);
     let kernel = |resonance: f64, rate: f64| {
         let place = Complex64::new(1.0, rate).powi(2) + resonance * resonance;
         place.im / place.norm_sqr()
@@ -523,7 +524,7 @@ fn the_hardest_forces_are_those_of_an_eigendecomposition() {
         &linear::Sites::new(&string, &places).unwrap(),
     )
     .unwrap();
-    let decay_rate = linear::estimates::bending_decay_rate(&string, &bending);
+    let decay_rate = BendingDecay::new(&string, &bending).least();
     for rate in [0.5, 3.0, 20.0, 60.0, 300.0] {
         let (receptance, most) = (network.at_rate(rate), 0.5 * rate / decay_rate);
         let pencil = Pencil::new(receptance.entries(), most);
@@ -747,7 +748,7 @@ fn forward_whirl_against_several_walls_balances_every_force() {
             walls: clearances.iter().map(wall).collect(),
             mass,
             receptance: |rate| masses.receptance(count, rate),
-            decay_rate: masses.decay_rate,
+            decay: BendingDecay::constant(masses.decay_rate),
         };
         let free = string.free_radii(speed);
         let is_clear = |radii: &Vec<f64>| radii.iter().zip(&clearances).all(|(r, c)| r < c);

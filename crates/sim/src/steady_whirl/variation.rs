@@ -11,6 +11,11 @@
 //! are never further apart than their rates. This holds for every string, with any tubes, support
 //! and compression, and bounds all that is asked of K between two rates by its values there.
 
+use linear::bending_decay::{BendingDecay, Corner};
+
+/// The corner of the quarter plane is at this part of a rate, at most.
+const FROM_CORNER: f64 = 0.75;
+
 /// Rounding hides a smaller part of a stiffness than this.
 const LEAST_LOSS: f64 = 1e-9;
 
@@ -41,17 +46,31 @@ impl Sample {
 /// The bound on the variation of a stiffness.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Variation {
-    /// σ, 1/s.
-    pub decay_rate: f64,
+    /// The quarter plane.
+    pub corner: Corner,
 }
 
 impl Variation {
+    /// Between a rate (rad/s) and faster ones.
+    pub fn above(decay: &BendingDecay, rate: f64) -> Self {
+        Self {
+            corner: *decay.corner_below(FROM_CORNER * rate),
+        }
+    }
+
+    /// A rate as it is above the corner.
+    fn moved(&self, rate: f64) -> f64 {
+        rate - self.corner.above
+    }
+
     /// The hyperbolic distance of two rates. The quarter plane becomes the upper half
-    /// plane by (σ + s)².
+    /// plane by (σ + s − iω₀)².
     pub fn distance(&self, one: f64, other: f64) -> f64 {
+        let [one, other] = [one, other].map(|rate| self.moved(rate));
         let (width, sum) = ((one - other).abs(), one + other);
-        let moved = width * (2.0 * self.decay_rate).hypot(sum);
-        2.0 * (moved / (4.0 * self.decay_rate * (one * other).sqrt())).asinh()
+        let decay_rate = self.corner.decay_rate;
+        let moved = width * (2.0 * decay_rate).hypot(sum);
+        2.0 * (moved / (4.0 * decay_rate * (one * other).sqrt())).asinh()
     }
 
     /// The least that a positive harmonic function on the quarter plane, or the least of several,
@@ -80,7 +99,7 @@ impl Variation {
     /// How long the path of the rates is from one to the other.
     fn length(&self, one: f64, other: f64) -> f64 {
         let place = |rate: f64| {
-            let ratio = rate / self.decay_rate;
+            let ratio = self.moved(rate) / self.corner.decay_rate;
             ratio.hypot(1.0) - ratio.recip().asinh()
         };
         (place(one) - place(other)).abs()
@@ -117,7 +136,7 @@ impl Variation {
     pub fn curvature(&self, samples: [&Sample; 2]) -> f64 {
         let width = (samples[0].rate - samples[1].rate).abs();
         let bounds = samples.map(|sample| {
-            let radius = self.decay_rate.min(sample.rate);
+            let radius = self.corner.decay_rate.min(self.moved(sample.rate));
             let left = 1.0 - width / radius;
             if left > 0.0 {
                 4.0 * sample.imaginary.abs() / (radius * radius * left.powi(3))

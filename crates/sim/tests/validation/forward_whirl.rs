@@ -2,13 +2,12 @@
 
 use std::f64::consts::TAU;
 
+use linear::bending_decay::BendingDecay;
 use linear::waves::lateral::BendingNetwork;
-use linear::{
-    Bending, Complex64, Drillstring, Method, Sites, SurfaceSupport, estimates, responses,
-};
+use linear::{Bending, Complex64, Drillstring, Method, Sites, SurfaceSupport, responses};
 use problems::academic::{self, BENDING};
 use problems::oracles::assert_close;
-use problems::wells::{Draw, Well};
+use problems::wells::{self, Draw, Well};
 use sim::steady_whirl::{EccentricString, ForwardContacts, LowestTouch};
 use sim::{
     EccentricMass, Lateral, LateralMeasures, LateralRegime, Scene, SceneError, Simulator, Stopping,
@@ -40,7 +39,7 @@ fn val_a_rotor_follows_its_closed_form() {
         walls: vec![wall(clearance)],
         mass: mass(0, eccentric, offset),
         receptance: |rate: f64| vec![dynamic(rate).inv()],
-        decay_rate: 0.5 * damping / heavy,
+        decay: BendingDecay::constant(0.5 * damping / heavy),
     };
     let radius = |rate: f64| {
         let force = eccentric * rate * rate;
@@ -61,7 +60,7 @@ fn val_a_rotor_follows_its_closed_form() {
     assert_eq!(beyond, None);
     for (speeds, decay_rate) in [([0.0, 9.0], 1.0), ([1.0, 9.0], 1e-6)] {
         let refused = EccentricString {
-            decay_rate,
+            decay: BendingDecay::constant(decay_rate),
             ..rotor.clone()
         }
         .first_touch(speeds);
@@ -87,8 +86,13 @@ fn val_no_touch_of_a_dense_scan_is_missed() {
     let (mut touches, mut scanned) = (0, 0);
     for number in 0..40 {
         let mut draw = Draw::new(number);
-        let Well { string, .. } = Well::draw(number, &mut draw);
-        let damping = draw.log_uniform(5.0, 500.0);
+        let Well { mut string, .. } = Well::draw(number, &mut draw);
+        let mut damping = draw.log_uniform(5.0, 500.0);
+        // Every other one in viscous mud alone.
+        if number % 2 == 1 {
+            string = wells::with_loss(&string, &mut Draw::new(100 + number));
+            damping = 0.0;
+        }
         let bending = Bending { damping, ..BENDING };
         let count = 1 + number % 4;
         let span = draw.log_uniform(5.0, 0.8 * string.length());
@@ -107,7 +111,7 @@ fn val_no_touch_of_a_dense_scan_is_missed() {
                 draw.log_uniform(1e-4, 0.02),
             ),
             receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
-            decay_rate: estimates::bending_decay_rate(&string, &bending),
+            decay: BendingDecay::new(&string, &bending),
         };
         let [slowest, fastest] = [0.2, 25.0];
         let touch = eccentric.first_touch([slowest, fastest]).unwrap();
@@ -152,7 +156,7 @@ fn academic_whirl(
         walls: walls.clone(),
         mass,
         receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
-        decay_rate: estimates::bending_decay_rate(&string, &BENDING),
+        decay: BendingDecay::new(&string, &BENDING),
     };
     let found = eccentric.in_contact(SPEED).unwrap();
     let request = academic::lateral_request(&string, places, 20.0);

@@ -1,8 +1,9 @@
 //! Held loads in simulations: stick-slip against waves handed on in time, whirl against the
 //! balance of forces, and what fineness of step changes.
 
+use linear::bending_decay::BendingDecay;
 use linear::deviation::exact_undershoot;
-use linear::estimates::{bending_decay_rate, stick_slip_speed_limit, torsional_travel_time};
+use linear::estimates::{stick_slip_speed_limit, torsional_travel_time};
 use linear::sampling::frequency_for_fronts;
 use linear::steady::winding;
 use linear::waves::lateral::BendingNetwork;
@@ -280,7 +281,7 @@ fn val_rolling_along_a_rigid_wall_obeys_the_balance_of_forces() {
     let site = WhirlingSite {
         wall: wall(f64::INFINITY, 2.0),
         dynamic_stiffness: |rate| network.dynamic_stiffness(0, rate),
-        decay_rate: bending_decay_rate(&string, &BENDING),
+        decay: BendingDecay::new(&string, &BENDING),
     };
     let [steady] = site.rolling_at(SPEED)[..] else {
         panic!("one steady whirl");

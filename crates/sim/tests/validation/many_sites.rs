@@ -3,15 +3,16 @@
 
 use std::f64::consts::TAU;
 
+use linear::bending_decay::{BendingDecay, friction_if_carried};
 use linear::method::FiniteElement;
 use linear::waves::lateral::BendingNetwork;
 use linear::{
     Bending, ChannelRequest, Complex64, Drillstring, Method, Request, Section, Sites,
-    SurfaceSupport, Tube, estimates, responses,
+    SurfaceSupport, Tube, responses,
 };
 use problems::academic;
 use problems::pipes::STEEL;
-use problems::wells::{Draw, Well};
+use problems::wells::{self, Draw, Well};
 use sim::excitation::least_impulse;
 use sim::steady_whirl::{MOST_FRICTION, WhirlTogether};
 use sim::watch::rules::Rules;
@@ -34,8 +35,8 @@ impl Problem {
         BendingNetwork::new(&self.string, self.bending, free, &self.sites).unwrap()
     }
 
-    fn decay_rate(&self) -> f64 {
-        estimates::bending_decay_rate(&self.string, &self.bending)
+    fn decay(&self) -> BendingDecay {
+        BendingDecay::new(&self.string, &self.bending)
     }
 
     fn together(&self, surface_speed: f64) -> Option<WhirlTogether> {
@@ -43,7 +44,7 @@ impl Problem {
         let sites = WhirlingSites {
             walls: self.walls.clone(),
             receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
-            decay_rate: self.decay_rate(),
+            decay: self.decay(),
         };
         sites.least_together(surface_speed)
     }
@@ -53,7 +54,7 @@ impl Problem {
         let sites = WhirlingSites {
             walls: self.walls.clone(),
             receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
-            decay_rate: self.decay_rate(),
+            decay: self.decay(),
         };
         sites.least_friction([surface_speed; 2]).pop()
     }
@@ -65,7 +66,7 @@ impl Problem {
             let alone = WhirlingSite {
                 wall: self.walls[site],
                 dynamic_stiffness: |rate: f64| network.dynamic_stiffness(site, rate),
-                decay_rate: self.decay_rate(),
+                decay: self.decay(),
             };
             Some(alone.least_friction(surface_speed)?.least_friction)
         });
@@ -101,7 +102,7 @@ fn val_a_string_that_touches_all_along_needs_friction_against_its_damping() {
         compression: 0.0,
     };
     let surface_speed = TAU;
-    let limit = 2.0 * estimates::bending_decay_rate(&string, &bending) / (10.0 * surface_speed);
+    let limit = friction_if_carried(&string, &bending, 10.0 * surface_speed);
     let mut last = f64::INFINITY;
     for halvings in 1..=6 {
         let pieces = 1 << halvings;
@@ -141,7 +142,8 @@ fn is_positive(mut matrix: Vec<f64>) -> bool {
 }
 
 /// At no rate of a dense scan do forces press more than the reported friction allows: −Im H over
-/// that friction, less 1 %, outweighs −Re H. Two to five sites, and as many as eighty. `STRINGS=400
+/// that friction, less 1 %, outweighs −Re H. Two to five sites, and as many as eighty; with constant
+/// damping, and in viscous mud without. `STRINGS=400
 /// cargo test --release -p drillstring-sim --test validation dense` looks at more strings.
 #[test]
 fn val_no_rate_of_a_dense_scan_needs_less_friction() {
@@ -151,6 +153,9 @@ fn val_no_rate_of_a_dense_scan_needs_less_friction() {
         let mut shaken = Shaken::draw(number);
         if number % 4 == 3 {
             shaken.crowd(number);
+        }
+        if number % 8 < 4 {
+            shaken.lose_to_mud_alone(number);
         }
         let network = shaken.problem.network();
         let walls = &shaken.problem.walls;
@@ -229,7 +234,7 @@ impl Shaken {
         };
         let decay_rate = draw.log_uniform(0.2, 10.0);
         let bending = Bending {
-            damping: decay_rate / estimates::bending_decay_rate(&string, &bending),
+            damping: decay_rate / BendingDecay::new(&string, &bending).least(),
             ..bending
         };
         let count = 2 + number % 4;
@@ -276,6 +281,13 @@ impl Shaken {
         problem.walls = vec![problem.walls[0]; places.len()];
     }
 
+    /// The same string in viscous mud, in place of its constant damping.
+    fn lose_to_mud_alone(&mut self, number: usize) {
+        let problem = &mut self.problem;
+        problem.string = wells::with_loss(&problem.string, &mut Draw::new(2000 + number));
+        problem.bending.damping = 0.0;
+    }
+
     /// Which of these frictions whirl lasts with.
     fn whirls_with(&self, frictions: &[f64]) -> Vec<bool> {
         const FREQUENCY: f64 = 320.0;
@@ -284,7 +296,7 @@ impl Shaken {
         let problem = &self.problem;
         let count = problem.walls.len();
         // Motion that was started without friction has long died away.
-        let duration = 10.0 + 6.0 / problem.decay_rate();
+        let duration = 10.0 + 6.0 / problem.decay().least();
         let request = Request {
             sites: problem.sites.clone(),
             channels: vec![

@@ -119,7 +119,7 @@ fn steady_whirl(string: &Drillstring, wall: Wall) -> SteadyWhirl {
     let site = WhirlingSite {
         wall,
         dynamic_stiffness: |rate| network.dynamic_stiffness(0, rate),
-        decay_rate: linear::estimates::bending_decay_rate(string, &BENDING),
+        decay: linear::bending_decay::BendingDecay::new(string, &BENDING),
     };
     let [steady] = site.rolling_at(SPEED)[..] else {
         panic!("one steady whirl");

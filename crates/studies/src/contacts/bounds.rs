@@ -1,7 +1,7 @@
 //! What steady whirl needs at least, by the balance of forces, of the same contacts.
 
 use anyhow::{Context, Result};
-use linear::estimates::bending_decay_rate;
+use linear::bending_decay::friction_if_carried;
 
 use super::subject::StudiedString;
 use campaign::records::to_rpm;
@@ -16,7 +16,7 @@ pub struct Bounds {
     /// Of one contact alone, whichever needs least.
     pub one_site: Option<f64>,
     /// Of a string that its wall carries everywhere, at the fastest rate that a contact may roll
-    /// at: friction against damping, c_b/(ρA ω).
+    /// at: friction against damping and mud, c_b/(ρA ω) without viscous mud.
     pub carried: f64,
 }
 
@@ -37,6 +37,6 @@ pub fn bounds(subject: &StudiedString, count: usize) -> Result<Bounds> {
     Ok(Bounds {
         any_sites: any_sites.last().map(|point| point.friction),
         one_site: one_site.map(|point| point.friction),
-        carried: 2.0 * bending_decay_rate(&setting.string, &lateral.bending) / fastest,
+        carried: friction_if_carried(&setting.string, &lateral.bending, fastest),
     })
 }

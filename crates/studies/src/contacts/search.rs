@@ -1,14 +1,14 @@
 //! The least friction at which something lasts, where it may come and go with friction: a scan,
 //! then halvings of the lowest step from none to some.
 
-/// Frictions of the scan: each √2 times the one before, from 0.05 to 3.2.
-pub const SCANNED: usize = 13;
+/// Frictions of the scan: each √2 times the one before, from 0.0125 to 3.2.
+pub const SCANNED: usize = 17;
 
 /// Halvings of the step in the scan: what is left is 1.1 % wide.
 pub const HALVINGS: usize = 5;
 
 /// The least friction of the scan.
-const LEAST: f64 = 0.05;
+const LEAST: f64 = 0.0125;
 
 /// The frictions of the scan, rising.
 pub fn scan() -> impl Iterator<Item = f64> {
@@ -105,7 +105,10 @@ mod tests {
     #[test]
     fn what_lasts_everywhere_or_nowhere_has_an_open_bracket() {
         let always = found(|_| true);
-        assert_eq!((always.lasts, always.does_not), (Some((0.05, 0.05)), None));
+        assert_eq!(
+            (always.lasts, always.does_not),
+            (Some((LEAST, LEAST)), None)
+        );
         let never = found(|_| false);
         assert_eq!((never.lasts, never.above), (None, 0));
         assert!((never.does_not.unwrap() - 3.2).abs() < 1e-12);

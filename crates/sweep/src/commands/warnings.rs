@@ -8,6 +8,7 @@ use campaign::quantities::Axis;
 use campaign::static_string::BeyondWall;
 use campaign::words::counted;
 use limits::MOST_SITES;
+use linear::bending_decay::BendingDecay;
 use results::log::Log;
 
 /// Warns of an amount of memory that the cluster allots and cannot mean.
@@ -30,9 +31,18 @@ pub fn warn_of_sweep(sweep: &Sweep, terminal: Terminal) {
 /// Says which limit of whirl is not computed.
 pub fn warn_of_limits(sweep: &Sweep, terminal: Terminal) {
     let sites = sweep.setting.sites.len();
-    let has_limit =
-        sweep.setting.lateral.is_some() && sweep.design.axes().contains(&Axis::FRICTION);
-    if has_limit && sites > MOST_SITES {
+    let Some(lateral) = &sweep.setting.lateral else {
+        return;
+    };
+    if !sweep.design.axes().contains(&Axis::FRICTION) {
+        return;
+    }
+    if BendingDecay::new(&sweep.setting.string, &lateral.bending).least() == 0.0 {
+        terminal.complain(
+            "note: the friction that whirl needs is not computed: nothing holds the string back \
+             where it moves sideways, as `damping_ns_m2` and `viscosity_cp` of `[mud]` do",
+        );
+    } else if sites > MOST_SITES {
         terminal.complain(&format!(
             "note: the friction that whirl of any sites together needs is not computed: there are \
              {sites} \
