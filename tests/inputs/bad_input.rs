@@ -214,7 +214,7 @@ fn a_method_that_needs_damping_says_so() {
             &with(&text, "quadrature", method),
             "rad_m = 0",
             "string.torsional_damping_nms_rad_m",
-            &format!("{method} needs a string with torsional damping"),
+            &format!("{method} needs damping in torsion"),
         );
         refused(
             &Workplace::with_small(&text),
@@ -223,8 +223,23 @@ fn a_method_that_needs_damping_says_so() {
                 "small.toml:",
                 "string.torsional_damping_nms_rad_m",
                 method,
-                "needs a string with torsional damping",
+                "needs damping in torsion",
             ],
+        );
+    }
+}
+
+#[test]
+fn a_method_that_needs_damping_in_bending_says_so() {
+    let bends = "rad_m = 10\nbending = { youngs_modulus_gpa = 210, damping_ns_m2 = 0 }";
+    let walls = "[wall]\nclearance_mm = 15\nstiffness_gn_m15 = 1\nfriction = 0.3\n[[sites]]\ndistance_from_bit_m = 0\n[map]";
+    let text = with(&with(SMALL, "rad_m = 10", bends), "[map]", walls);
+    for method in ["hilbert", "direct-idft"] {
+        refused_at(
+            &with(&text, "quadrature", method),
+            "bending = {",
+            "string.bending.damping_ns_m2",
+            &format!("{method} needs damping in bending"),
         );
     }
 }

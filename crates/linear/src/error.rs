@@ -317,12 +317,12 @@ pub enum BuildError {
     OutOfBudget(#[from] OutOfBudget),
     /// The real part of a response without damping is zero between its
     /// resonances and infinite at them: no samples describe it.
-    #[error(
-        "{method} needs a string with torsional damping; without it use quadrature or finite-element"
-    )]
+    #[error("{method} needs damping in {channel}; without it use quadrature or finite-element")]
     NeedsDamping {
         /// Name of the method.
         method: &'static str,
+        /// Where there is none.
+        channel: Channel,
     },
     /// A drive answers late, and elements that are stepped keep no past of it.
     #[error(

@@ -164,6 +164,33 @@ fn with_a_wall_and_an_impulse_a_new_file_tells_whirl() {
     assert_eq!(manifest(&place, "results")["failed"], 0);
 }
 
+/// Mud alone damps whirl so lightly that ten seconds do not show which lasts; the time by rule does.
+#[test]
+fn the_time_by_rule_shows_which_whirl_lasts() {
+    let file = switch_on(&switch_on(&new_file(), "[wall]"), "[[impulses]]");
+    let file = with(&file, "\nfriction = 0.5\n", "\n");
+    let (setting, _) = file.split_once("[bit]").unwrap();
+    let (_, walls) = file.split_once("[wall]").unwrap();
+    let (walls, _) = walls.split_once("[design]").unwrap();
+    let file = format!(
+        "{setting}[wall]{walls}[design]\nkind = \"grid\"\n[design.axes]\n\
+         friction = {{ values = [0.3, 0.7, 1.1] }}\nsurface_speed_rpm = {{ values = [80, 160] }}\n"
+    );
+    let file = with(&file, "\nstart = \"stuck\"\n", "\n");
+    let file = with(&file, "methods = [\"held\"]", "methods = [\"quadrature\"]");
+    let labels_after = |time: &str| {
+        let place = Workplace::with_small(&with(&file, "\n#time_s = 60\n", time));
+        run(&place, "small.toml", "results");
+        labels(&place, "results", ["lateral"]).concat()
+    };
+    let by_rule = labels_after("\n");
+    assert_eq!(by_rule, labels_after("\ntime_s = 120\n"));
+    let in_ten_seconds = labels_after("\ntime_s = 10\n");
+    let pairs = by_rule.iter().zip(&in_ten_seconds);
+    let differ = pairs.filter(|(one, other)| one != other).count();
+    assert!(differ >= 2, "{by_rule:?} {in_ten_seconds:?}");
+}
+
 #[test]
 fn a_file_that_is_there_is_kept_unless_forced() {
     let place = Workplace::new();

@@ -1,12 +1,11 @@
 //! One case: its values and its scene.
 
 use linear::SteadyMotion;
-use sim::{
-    Axial, BitTorque, Cutting, Lateral, PipeFriction, Scene, Start, Timing, Wall, torsion_timing,
-};
+use sim::{Axial, BitTorque, Lateral, PipeFriction, Scene, Start, Wall};
 use statics::{StaticState, StaticsError};
 
 use super::case_error::CaseError;
+use super::timing::timing_by_rule;
 use crate::plan::{
     Begins, Conditions, ImpulseAmount, LateralSettings, LyingStart, Setting, Starts, Sweep,
 };
@@ -76,28 +75,13 @@ impl Case {
             ),
         };
         let lying_start = sweep.starts.lying(surface_speed);
-        let mut timing = all.map_or(BY_DEFAULT, |all| {
-            torsion_timing(&setting.string, surface_speed, &all, &start)
-        });
-        if let Some(limit) = setting.drive_limit {
-            timing = timing.below_limited(&setting.string, surface_speed, bit.as_ref(), limit);
-        }
-        if setting.lateral.is_some() {
-            // Two regimes have to be decided.
-            timing.duration = timing.duration.max(BY_DEFAULT.duration);
-            timing.closing_window = timing.closing_window.max(BY_DEFAULT.closing_window);
-        }
-        if setting.lying.is_some() {
-            timing.duration = timing.duration.max(WHILE_IT_SWINGS.duration);
-            timing.closing_window = timing.closing_window.max(WHILE_IT_SWINGS.closing_window);
-        }
-        if let Some(axial) = &axial {
-            timing = while_it_drills(&axial.cutting, surface_speed);
-        }
-        if start == Start::Rest {
-            let fed = setting.cutting.as_ref().map_or(0.0, |it| it.profile.rise());
-            timing.duration += setting.profile.rise().max(fed);
-        }
+        let mut timing = timing_by_rule(
+            setting,
+            surface_speed,
+            (all.as_ref(), bit.as_ref()),
+            &start,
+            axial.as_ref().map(|axial| &axial.cutting),
+        );
         if let AutoOr::Given(duration) = sweep.time {
             timing.duration = duration;
         }
@@ -270,38 +254,6 @@ fn drilled(
         },
     )))
 }
-
-/// What cuts is followed for a minute: slow growth shows, and means over a third of that are those of
-/// motion that is often chaotic. A bit that turns slowly is followed until as many blades have passed
-/// in that third as a regime of the axis has repetitions.
-fn while_it_drills(cutting: &Cutting, surface_speed: f64) -> Timing {
-    const LEAST: f64 = 20.0;
-    const PASSES: f64 = 3.0;
-    const THIRDS: f64 = 3.0;
-    let pass = std::f64::consts::TAU / (cutting.blades() as f64 * surface_speed.abs());
-    let closing_window = match pass.is_finite() {
-        true => LEAST.max(PASSES * pass),
-        false => LEAST,
-    };
-    Timing {
-        duration: THIRDS * closing_window,
-        closing_window,
-    }
-}
-
-/// A bit without torque has no regime to wait for, and lateral motion none whose
-/// time could be predicted: ten seconds as in the paper, the last two of which
-/// decide.
-const BY_DEFAULT: Timing = Timing {
-    duration: 10.0,
-    closing_window: 2.0,
-};
-
-/// A string that lies in its hole swings about once a second, and its swing fades within some ten.
-const WHILE_IT_SWINGS: Timing = Timing {
-    duration: 20.0,
-    closing_window: 5.0,
-};
 
 /// Walls as the case has them, impulses with the case's ratio: amounts
 /// relative to I₀ stay so until a method says what its I₀ is.

@@ -43,6 +43,7 @@ mod stress;
 mod survey;
 mod system_plan;
 mod systems;
+mod timing;
 mod whole_string;
 
 pub use answer::answer;

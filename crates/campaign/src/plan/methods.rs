@@ -2,10 +2,11 @@
 
 use linear::method::{FiniteElement, Method};
 use linear::sampling::merged;
-use linear::{BuildError, Drillstring};
+use linear::{BuildError, Channel, Drillstring};
 
 use super::hole::mud_is_viscous;
 use crate::design::Design;
+use crate::quantities::{Axis, StringAxis};
 use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
 
 /// More elements in a cell resolve no more than rounding leaves.
@@ -52,11 +53,22 @@ pub fn resolve(
         let is_double = content.methods[..index].contains(name);
         source.refuse_if(is_double, &format!("methods[{index}]"), "is named twice")?;
         let needs_damping = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);
-        let has_none = has_no_damping(content, design);
-        let method = name.name();
-        let message = BuildError::NeedsDamping { method }.to_string();
-        let key = "string.torsional_damping_nms_rad_m";
-        source.refuse_if(needs_damping && has_none, key, message)?;
+        for (channel, has_none, key) in [
+            (
+                Channel::Torsion,
+                has_no_damping(content, design),
+                "string.torsional_damping_nms_rad_m",
+            ),
+            (
+                Channel::Bending,
+                content.wall.is_some() && has_no_damping_in_bending(content, design),
+                "string.bending.damping_ns_m2",
+            ),
+        ] {
+            let method = name.name();
+            let message = BuildError::NeedsDamping { method, channel }.to_string();
+            source.refuse_if(needs_damping && has_none, key, message)?;
+        }
     }
     let names = content.methods.iter();
     Ok(names.map(|&name| method(content, name)).collect())
@@ -67,6 +79,15 @@ fn has_no_damping(content: &FileContent, design: &Design) -> bool {
     let string = &content.string;
     string.torsional_damping_nms_rad_m == 0.0
         && string.loss_factor == 0.0
+        && !mud_is_viscous(content, design)
+}
+
+/// Whether nothing takes energy from a string that moves sideways; as a whole its material takes none.
+fn has_no_damping_in_bending(content: &FileContent, design: &Design) -> bool {
+    let axis = Axis::String(StringAxis::BendingDamping);
+    let bending = content.string.bending.as_ref();
+    bending.is_some_and(|bending| bending.damping_ns_m2 == 0.0)
+        && !design.axes().contains(&axis)
         && !mud_is_viscous(content, design)
 }
 

@@ -135,8 +135,10 @@ pub struct FileContent {
     #[schemars(extend("minimum" = 1.0, "maximum" = 1e6))]
     #[serde(default)]
     pub sampling_frequency_hz: AutoOr,
-    /// Time simulated. By rule, a bit that cuts is followed until its regime is known (Eqs.
-    /// 72–73), with a wall for at least 10 s; without such a bit it is 10 s.
+    /// Time simulated. By rule, a bit with torque is followed until its regime is known (Eqs.
+    /// 72–73), one that cuts for a minute; with a wall at least 10 s, and until whirl has faded that
+    /// friction does not sustain, which takes light damping up to a minute after the impulses (20 s at
+    /// least where the string lies); without either it is 10 s.
     #[schemars(extend("minimum" = 0.001, "maximum" = 1e6))]
     #[serde(default)]
     pub time_s: AutoOr,

@@ -327,8 +327,8 @@ fn transform_length_of(
     request: &Request,
 ) -> Result<usize, BuildError> {
     if bending.damping <= 0.0 && string.loss().viscous_mud().is_none() {
-        let method = method.name();
-        return Err(BuildError::NeedsDamping { method });
+        let (method, channel) = (method.name(), Channel::Bending);
+        return Err(BuildError::NeedsDamping { method, channel });
     }
     let needed = needed_taps(request.longest_time, request.sampling_frequency);
     let samples = samples_of(transform, 2.0 * needed, request.sampling_frequency);

@@ -11,6 +11,7 @@ use super::wanted::Wanted;
 use crate::assembly::lanes::Lanes;
 use crate::assembly::working_bytes;
 use crate::budget::{Budget, Need, OutOfBudget, REAL, What};
+use crate::channel::Channel;
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
 use crate::elements::recurrence::ElementChain;
@@ -326,8 +327,8 @@ fn transform_length_of(
     request: &Request,
 ) -> Result<usize, BuildError> {
     if !string.loss().damps_torsion() {
-        let method = method.name();
-        return Err(BuildError::NeedsDamping { method });
+        let (method, channel) = (method.name(), Channel::Torsion);
+        return Err(BuildError::NeedsDamping { method, channel });
     }
     let sampling_frequency = request.sampling_frequency;
     let samples = transform_samples(string, transform, sampling_frequency);
