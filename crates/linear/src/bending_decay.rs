@@ -9,6 +9,29 @@
 //!
 //! Without viscous mud that is so for σ = c/2m and ω₀ = 0. Mud holds back more what moves faster, so
 //! that σ grows with ω₀, and there is a corner for each of a row of ω₀.
+//!
+//! ```
+//! use linear::bending_decay::{BendingDecay, friction_if_carried};
+//! use linear::{Bending, Drillstring, Hole, HoleSection, Material, Mud, Section, Tube};
+//!
+//! let steel = Material { shear_modulus: 80e9, density: 7850.0 };
+//! let pipe = Tube { length: 100.0, inner_radius: 0.054, outer_radius: 0.0635 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.0)?;
+//! let bending = Bending { youngs_modulus: 206e9, damping: 50.0, compression: 0.0 };
+//! let decay = BendingDecay::new(&string, &bending);
+//! assert_eq!(decay.least(), 50.0 / (2.0 * steel.density * pipe.area()));
+//! // A string that its wall carries needs that against its damping.
+//! let friction = friction_if_carried(&string, &bending, 20.0);
+//! assert!((friction * 20.0 / (2.0 * decay.least()) - 1.0).abs() < 1e-12);
+//!
+//! // Mud takes more of what is faster.
+//! let sections = vec![HoleSection { length: 100.0, radius: 0.108 }];
+//! let mud = Mud { density: 1200.0, viscosity: 0.02 };
+//! let string = string.in_hole(Hole { sections, mud })?;
+//! let decay = BendingDecay::new(&string, &Bending { damping: 0.0, ..bending });
+//! assert!(decay.corner_below(20.0).decay_rate > 3.0 * decay.least());
+//! # Ok::<(), linear::DrillstringError>(())
+//! ```
 
 use num_complex::Complex64;
 

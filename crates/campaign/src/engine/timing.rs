@@ -1,10 +1,10 @@
 //! How long a case is simulated where the file does not say.
 
-use linear::Drillstring;
 use linear::bending_decay::friction_if_carried;
+use linear::{Bending, Drillstring};
 use sim::{BitTorque, Cutting, Start, Timing, torsion_timing};
 
-use crate::plan::{LateralSettings, Setting};
+use crate::plan::Setting;
 
 /// A bit without torque has no regime to wait for: ten seconds as in the paper, the last two of which
 /// decide.
@@ -45,8 +45,13 @@ pub(super) fn timing_by_rule(
     if let Some(lateral) = &setting.lateral {
         // Two regimes have to be decided.
         timing = longer(timing, BY_DEFAULT);
-        let fades = until_whirl_fades(&setting.string, lateral, surface_speed);
-        timing.duration = timing.duration.max(fades);
+        // A later impulse is refused.
+        let ends = (lateral.impulses.iter())
+            .map(|impulse| impulse.start + impulse.duration)
+            .filter(|end| *end < timing.duration);
+        let fades = while_whirl_fades(&setting.string, &lateral.bending, surface_speed);
+        let begins = ends.fold(0.0, f64::max);
+        timing.duration = timing.duration.max(begins + fades);
     }
     if setting.lying.is_some() {
         timing = longer(timing, WHILE_IT_SWINGS);
@@ -69,12 +74,11 @@ fn longer(one: Timing, other: Timing) -> Timing {
     }
 }
 
-/// When whirl has faded or grown, s: after the impulses.
-fn until_whirl_fades(string: &Drillstring, lateral: &LateralSettings, surface_speed: f64) -> f64 {
+/// In what time whirl fades or grows, s.
+fn while_whirl_fades(string: &Drillstring, bending: &Bending, surface_speed: f64) -> f64 {
     let rate = surface_speed.abs();
-    let decay_rate = 0.5 * rate * friction_if_carried(string, &lateral.bending, rate);
-    let ends = lateral.impulses.iter().map(|it| it.start + it.duration);
-    ends.fold(0.0, f64::max) + (WHIRL_FADES / decay_rate).min(LONGEST_WHIRL)
+    let decay_rate = 0.5 * rate * friction_if_carried(string, bending, rate);
+    (WHIRL_FADES / decay_rate).min(LONGEST_WHIRL)
 }
 
 /// What cuts is followed for a minute: slow growth shows, and means over a third of that are those of
