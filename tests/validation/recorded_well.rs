@@ -181,7 +181,7 @@ fn val_well_b_on_its_low_side_adds_the_torque_of_its_contacts() {
         ((both - above) / turns - 1.0).abs() < 0.03,
         "{both} {above} {turns}"
     );
-    let slides = (0.764_297_7 * 0.284_622_6_f64).atan().to_degrees();
+    let slides = (0.665_680_3 * 0.484_290_7_f64).atan().to_degrees();
     let climbs = number(&lying, "climb_deg");
     assert!((climbs - slides).abs() < 0.5, "{climbs} {slides}");
 }

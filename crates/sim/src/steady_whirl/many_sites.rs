@@ -28,7 +28,9 @@
 //! arccot(ω/2σ) at s = iω, by a function that is harmonic and not negative either. In other words
 //! λ ≤ ω/2σ, which is all that a string needs which its wall carries everywhere, friction against
 //! its damping; and where sites come near that, little can happen between two rates. The **excess**
-//! at two rates bounds that between them ([`Variation::least_harmonic`]).
+//! at two rates bounds that between them ([`Variation::least_harmonic`]). In viscous mud σ is here the
+//! σ' of a corner, in which no part has a greater argument than that either
+//! ([`linear::bending_decay::Corner`]).
 
 use linear::Complex64;
 use linear::bending_decay::BendingDecay;

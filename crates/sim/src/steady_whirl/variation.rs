@@ -10,6 +10,9 @@
 //! Schwarz and Pick such a map lengthens no hyperbolic distance: two stiffnesses
 //! are never further apart than their rates. This holds for every string, with any tubes, support
 //! and compression, and bounds all that is asked of K between two rates by its values there.
+//!
+//! In viscous mud a quarter plane with a larger σ begins at a rate ω₀ instead of zero
+//! ([`linear::bending_decay`]): between two rates the one that begins a little below both serves.
 
 use linear::bending_decay::{BendingDecay, Corner};
 
