@@ -5,46 +5,54 @@ use crate::channel::Channel;
 use crate::drillstring::Drillstring;
 use crate::in_mud::{self, Alike};
 
-/// What holds back a string that moves across its hole slowly, as a rigid rod: its drag per speed,
-/// N s/m, and the first two moments of that about its middle, by depth in parts of its length.
+/// What holds back a string that moves across its hole slowly, as a rigid rod.
 pub(super) struct DragAtRest {
+    /// Force per speed, N s/m.
     pub(super) whole: f64,
-    first: f64,
-    second: f64,
+    /// Where that acts, below the middle, in parts of the length.
+    centre: f64,
+    /// Its spread about that: one over its mean square distance, in parts of the length.
+    narrowness: f64,
 }
 
 impl DragAtRest {
     pub(super) fn of(string: &Drillstring, bending: &Bending) -> Self {
-        let mut drag = Self {
-            whole: 0.0,
-            first: 0.0,
-            second: 0.0,
-        };
-        let mut top = -0.5;
+        if string.loss().viscous_mud().is_none() {
+            return Self {
+                whole: bending.damping * string.length(),
+                centre: 0.0,
+                narrowness: 12.0,
+            };
+        }
+        let (mut top, mut whole, mut first, mut second) = (-0.5, 0.0, 0.0, 0.0);
         for Alike { length, mud, .. } in in_mud::one_by_one(string) {
             let mud = mud.map_or(0.0, |mud| mud.steady_drag(Channel::Bending));
             let (part, of_part) = (length / string.length(), length * (bending.damping + mud));
             let middle = top + 0.5 * part;
-            drag.whole += of_part;
-            drag.first += of_part * middle;
-            drag.second += of_part * (middle * middle + part * part / 12.0);
+            whole += of_part;
+            first += of_part * middle;
+            second += of_part * (middle * middle + part * part / 12.0);
             top += part;
         }
-        drag
+        let centre = first / whole;
+        Self {
+            whole,
+            centre,
+            narrowness: whole / (second - first * centre),
+        }
     }
 
-    /// Speed at the first of two depths per force at the other, of a rod that shifts and turns.
+    /// Speed at the first of two depths, in parts of the length, per force at the other, of a rod that
+    /// shifts and turns.
     pub(super) fn of_rod(&self, depths: [f64; 2]) -> f64 {
-        let centre = self.first / self.whole;
-        let [one, other] = depths.map(|depth| depth - 0.5 - centre);
-        let turning = self.second - self.first * centre;
-        1.0 / self.whole + one * other / turning
+        let [one, other] = depths.map(|depth| depth - 0.5 - self.centre);
+        (1.0 + self.narrowness * one * other) / self.whole
     }
 
-    /// The same of one that turns about a place.
+    /// The same of one that turns about a depth.
     pub(super) fn of_turning_about(&self, pivot: f64, depths: [f64; 2]) -> f64 {
         let [one, other] = depths.map(|depth| depth - pivot);
-        let pivot = pivot - 0.5;
-        one * other / (self.second - 2.0 * pivot * self.first + pivot * pivot * self.whole)
+        let off = pivot - 0.5 - self.centre;
+        one * other / (self.whole * (self.narrowness.recip() + off * off))
     }
 }
