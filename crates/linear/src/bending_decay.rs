@@ -55,6 +55,9 @@ const RIGHT: std::ops::RangeInclusive<i32> = -8..=14;
 /// What is between those places is within this part.
 const MARGIN: f64 = 0.98;
 
+/// Rates that are tried, each that part of the one before.
+const TRIED: i32 = 400;
+
 /// A part of the plane in which nothing resonates, Re s > −σ and Im s > ω₀.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corner {
@@ -64,7 +67,7 @@ pub struct Corner {
     pub decay_rate: f64,
     /// σ', 1/s, at most σ: in the corner no dynamic stiffness has a greater argument than
     /// s² + 2σ's. So at a rate ω no whirl needs less friction than 2σ'/ω.
-    pub carried: f64,
+    pub decay_rate_if_carried: f64,
 }
 
 impl Corner {
@@ -73,7 +76,7 @@ impl Corner {
         Self {
             above,
             decay_rate: f64::INFINITY,
-            carried: f64::INFINITY,
+            decay_rate_if_carried: f64::INFINITY,
         }
     }
 }
@@ -90,7 +93,7 @@ impl BendingDecay {
         let corner = Corner {
             above: 0.0,
             decay_rate,
-            carried: decay_rate,
+            decay_rate_if_carried: decay_rate,
         };
         Self {
             corners: vec![corner],
@@ -110,7 +113,7 @@ impl BendingDecay {
             of_tubes.fold(Corner::unbounded(above), |least, tube| Corner {
                 above,
                 decay_rate: least.decay_rate.min(tube.decay_rate),
-                carried: least.carried.min(tube.carried),
+                decay_rate_if_carried: least.decay_rate_if_carried.min(tube.decay_rate_if_carried),
             })
         });
         Self {
@@ -194,12 +197,11 @@ impl Resistance {
             return Corner {
                 above,
                 decay_rate: rate,
-                carried: rate,
+                decay_rate_if_carried: rate,
             };
         };
-        // Right of the rates at which mud comes to rest Im f/Im s is least on the real axis, and rises
-        // along it.
-        let most = mud.comes_to_rest_at_least();
+        // Right of the poles of the drag Im f/Im s is least on the real axis, and rises along it.
+        let most = mud.least_decay_rate_of_vorticity();
         let of_all = self.decay_rate(LOWEST * most, most);
         // Above ω₀ a corner no wider than that has nothing sharper than ω₀ on its side.
         let of_fast = if above > 0.0 {
@@ -211,25 +213,30 @@ impl Resistance {
             return Corner {
                 above,
                 decay_rate: of_all,
-                carried: of_all,
+                decay_rate_if_carried: of_all,
             };
         }
         Corner {
             above,
             decay_rate: of_fast,
-            carried: self.carried(above, of_fast),
+            decay_rate_if_carried: self.decay_rate_if_carried(above, of_fast),
         }
     }
 
     /// The σ up to which Im f > 0 on the line Im s = ω₀, and so above it, for Im f/Im s rises with
-    /// Im s; or what is asked for at most.
+    /// Im s; or what is asked for at most. Zero where rounding hides the drag, in a hole that all but
+    /// fits.
     fn decay_rate(&self, above: f64, most: f64) -> f64 {
         let resistance = self.per_speed(Complex64::new(0.0, above));
-        let mut rate = most.min(0.5 * above * resistance.re / resistance.im);
-        while !left(rate).all(|x| self.is_passive(Complex64::new(x, above))) {
-            rate *= MARGIN;
-        }
-        MARGIN * rate
+        let greatest = most.min(0.5 * above * resistance.re / resistance.im);
+        let rates = (1..=TRIED).map(|step| greatest * MARGIN.powi(step));
+        rates
+            .filter(|rate| *rate > 0.0)
+            .find(|rate| {
+                let wider = rate / MARGIN;
+                left(wider).all(|x| self.is_passive(Complex64::new(x, above)))
+            })
+            .unwrap_or(0.0)
     }
 
     fn is_passive(&self, s: Complex64) -> bool {
@@ -238,7 +245,7 @@ impl Resistance {
 
     /// The σ' of a corner. The arguments of f and of s² + 2σ's are harmonic in it, so that they need
     /// to be compared on its sides alone; on the left one f has less than π, the other more.
-    fn carried(&self, above: f64, decay_rate: f64) -> f64 {
+    fn decay_rate_if_carried(&self, above: f64, decay_rate: f64) -> f64 {
         let right = RIGHT.map(|power| above * 2f64.powf(0.5 * f64::from(power)));
         let rates = left(decay_rate).chain(right).map(|x| {
             let resistance = self.per_speed(Complex64::new(x, above));
@@ -346,14 +353,14 @@ mod tests {
             let resistances = resistances(&string, &bending);
             let decay = BendingDecay::new(&string, &bending);
             for corner in &decay.corners {
-                prop_assert!(corner.carried > 0.0 && corner.carried <= corner.decay_rate);
+                prop_assert!(corner.decay_rate_if_carried > 0.0 && corner.decay_rate_if_carried <= corner.decay_rate);
                 let mut least = f64::INFINITY;
                 for tube in &resistances {
                     for (right, above) in &places {
                         let s = place(corner, [*right, *above]);
                         let force = s * tube.per_speed(s);
                         prop_assert!(force.im > 0.0, "{corner:?} {s} {force}");
-                        let most = (s * (s + 2.0 * corner.carried)).arg().rem_euclid(TAU);
+                        let most = (s * (s + 2.0 * corner.decay_rate_if_carried)).arg().rem_euclid(TAU);
                         prop_assert!(force.arg() <= most + 1e-8, "{corner:?} {s}");
                     }
                     let resistance = tube.per_speed(Complex64::new(0.0, corner.above));
@@ -362,7 +369,7 @@ mod tests {
                 // Of what dies within a turn no more is asked.
                 if corner.above > 3.0 * least {
                     prop_assert!(corner.decay_rate > 0.5 * least, "{corner:?} {least}");
-                    prop_assert!(corner.carried > 0.5 * least, "{corner:?} {least}");
+                    prop_assert!(corner.decay_rate_if_carried > 0.5 * least, "{corner:?} {least}");
                 }
             }
             for corners in decay.corners.windows(2) {
@@ -370,6 +377,47 @@ mod tests {
                 prop_assert!(faster > MARGIN * slower, "{decay:?}");
             }
         });
+    }
+
+    /// In a hole that all but fits rounding hides what mud does: the answer is small, or nothing, and
+    /// there is one.
+    #[test]
+    fn a_hole_that_all_but_fits_has_an_answer() {
+        let tube = Tube {
+            length: 60.0,
+            inner_radius: 0.04,
+            outer_radius: 0.1,
+        };
+        for gap in [1e-5, 1e-7, 1e-9, 1e-12] {
+            let string = Drillstring::new(
+                STEEL,
+                vec![Section {
+                    repeat: 1,
+                    parts: vec![tube],
+                }],
+                0.0,
+            );
+            let hole = Hole {
+                sections: vec![HoleSection {
+                    length: 60.0,
+                    radius: 0.1 * (1.0 + gap),
+                }],
+                mud: Mud {
+                    density: 1200.0,
+                    viscosity: 0.02,
+                },
+            };
+            let string = string
+                .and_then(|string| string.in_hole(hole))
+                .expect("it fits");
+            let decay = BendingDecay::new(&string, &bending(0.0));
+            assert!(
+                decay
+                    .corners
+                    .iter()
+                    .all(|corner| { corner.decay_rate.is_finite() && corner.decay_rate >= 0.0 })
+            );
+        }
     }
 
     /// A string that goes round as a whole needs no less friction than any corner below says.
@@ -381,7 +429,7 @@ mod tests {
             let friction = friction_if_carried(&string, &bending, rate);
             let decay = BendingDecay::new(&string, &bending);
             for corner in decay.corners.iter().filter(|corner| corner.above <= rate) {
-                prop_assert!(friction >= 2.0 * corner.carried / rate, "{corner:?}");
+                prop_assert!(friction >= 2.0 * corner.decay_rate_if_carried / rate, "{corner:?}");
             }
         });
     }

@@ -56,7 +56,7 @@ pub fn resolve(
         for (channel, has_none, key) in [
             (
                 Channel::Torsion,
-                has_no_damping(content, design),
+                has_no_damping_in_torsion(content, design),
                 "string.torsional_damping_nms_rad_m",
             ),
             (
@@ -75,7 +75,7 @@ pub fn resolve(
 }
 
 /// Whether nothing takes energy from a string that turns.
-fn has_no_damping(content: &FileContent, design: &Design) -> bool {
+fn has_no_damping_in_torsion(content: &FileContent, design: &Design) -> bool {
     let string = &content.string;
     string.torsional_damping_nms_rad_m == 0.0
         && string.loss_factor == 0.0

@@ -129,11 +129,11 @@ impl Annulus {
         at * bore.i[1] / bore.i[0] * (2.0 * PI * self.viscosity)
     }
 
-    /// A rate, 1/s, slower than any at which mud around a tube at rest comes to rest itself, where
-    /// the drag has its poles. Those are no slower than the Laplacian's between both walls, which
+    /// A rate, 1/s, slower than any at which vorticity around a tube at rest decays, where the drag
+    /// has its poles. Those are no slower than the Laplacian's between both walls, which
     /// are no slower than those of a round hole without the tube (2.405²/R_h²) and of a gap between
     /// planes, but for its curvature (π²/(R_h − R)² − 1/4R²).
-    pub(crate) fn comes_to_rest_at_least(&self) -> f64 {
+    pub(crate) fn least_decay_rate_of_vorticity(&self) -> f64 {
         let round = (2.404 / self.hole).powi(2);
         let gap = (PI / (self.hole - self.outer)).powi(2) - 0.25 / self.outer.powi(2);
         self.viscosity / self.density * round.max(gap)

@@ -134,7 +134,10 @@ struct Search<'a, H> {
 impl<H: Fn(f64) -> Vec<Complex64>> Search<'_, H> {
     fn point(&self, rate: f64) -> Point {
         let receptance = (self.sites.receptance)(rate);
-        let most = most_of_any(rate, self.sites.decay.corner_below(rate).carried);
+        let most = most_of_any(
+            rate,
+            self.sites.decay.corner_below(rate).decay_rate_if_carried,
+        );
         let pencil = Pencil::new(&receptance, most);
         let ratio = pencil.ratio();
         Point {
@@ -153,7 +156,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> Search<'_, H> {
         }
         let decay = &self.sites.decay;
         let variation = Variation::above(decay, low.rate);
-        let carried = variation.corner.carried;
+        let carried = variation.corner.decay_rate_if_carried;
         let excess = variation.least_harmonic([low, high].map(|point| {
             let of_any = arccot(most_of_any(point.rate, carried));
             (point.rate, arccot(point.ratio) - of_any)

@@ -115,7 +115,7 @@ pub struct SteadyWhirl {
 }
 
 fn is_damped(decay: &BendingDecay, fastest: f64) -> bool {
-    decay.corner_below(fastest).decay_rate > LEAST_DECAY * fastest
+    decay.least() > 0.0 && decay.corner_below(fastest).decay_rate > LEAST_DECAY * fastest
 }
 
 impl<K: Fn(f64) -> [f64; 2]> WhirlingSite<K> {
