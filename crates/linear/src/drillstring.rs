@@ -100,6 +100,8 @@ pub struct Drillstring {
     top_drive: Option<TopDrive>,
     hole: Option<Hole>,
     axial_force: Vec<AxialForce>,
+    /// Where it is held sideways, and above, m from the bit.
+    held_above: Option<f64>,
     rod: Rod,
 }
 
@@ -151,6 +153,7 @@ impl Drillstring {
             top_drive: None,
             hole: None,
             axial_force: Vec::new(),
+            held_above: None,
             rod: Rod::Twisting,
         })
     }
@@ -235,6 +238,24 @@ impl Drillstring {
         }
         Ok(Self {
             axial_force: pieces,
+            ..self
+        })
+    }
+
+    /// The same string, held sideways at a distance from its bit (m) and above, as one is that lies on
+    /// its hole there. It turns as a whole, but bends below alone, where its upper end is then what
+    /// [`crate::SurfaceSupport`] says of the surface.
+    ///
+    /// # Errors
+    /// Where that is no place of the string above its bit.
+    pub fn held_above(self, distance_from_bit: f64) -> Result<Self, DrillstringError> {
+        let (distance, length) = (distance_from_bit, self.length());
+        let least = self.same_place();
+        if !(distance > least && distance < length - least) {
+            return Err(DrillstringError::HeldOffString { distance, length });
+        }
+        Ok(Self {
+            held_above: Some(distance),
             ..self
         })
     }
@@ -443,6 +464,9 @@ impl Drillstring {
             add(piece.length);
             add(piece.tension);
         }
+        if let Some(distance) = self.held_above {
+            add(distance);
+        }
         StringId(hasher.finish())
     }
 
@@ -474,6 +498,12 @@ impl Drillstring {
     /// All that takes energy from it in torsion, and what mud and material take in bending.
     pub fn loss(&self) -> &Loss {
         &self.loss
+    }
+
+    /// Length of what bends, down to the bit, m: all of it, unless it is
+    /// [held above](Drillstring::held_above) a place.
+    pub fn bending_length(&self) -> f64 {
+        self.held_above.unwrap_or_else(|| self.length())
     }
 
     /// Length from the surface to the bit, m.

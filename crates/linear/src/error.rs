@@ -164,6 +164,24 @@ pub enum DrillstringError {
         /// Length of the string, m.
         length: f64,
     },
+    /// A string is to be held where it is not.
+    #[error("a string {length} m long is not held {distance} m from its bit")]
+    HeldOffString {
+        /// Distance from the bit, m.
+        distance: f64,
+        /// Length of the string, m.
+        length: f64,
+    },
+    /// A site is where the string is held sideways.
+    #[error(
+        "a site {distance} m from the bit is not below {bends} m, where the string is held sideways"
+    )]
+    SiteHeld {
+        /// Distance from the bit, m.
+        distance: f64,
+        /// Length of what bends, m.
+        bends: f64,
+    },
     /// Springs are not those of the sites.
     #[error("there are {found} springs, but {sites} sites")]
     NotASpringForEachSite {

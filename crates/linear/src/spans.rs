@@ -24,18 +24,22 @@ pub(crate) struct Surrounded {
 pub(crate) type SurroundedSpan = Vec<Surrounded>;
 
 impl Drillstring {
-    /// The spans, in bending cut where what is around the string changes; in torsion that matters
-    /// only where mud is viscous, and then the hole alone.
+    /// The spans, in bending cut where what is around the string changes, and without what is held
+    /// above; in torsion what is around matters only where mud is viscous, and then the hole alone.
     pub(crate) fn surrounded_spans(
         &self,
         channel: Channel,
         sites: &Sites,
     ) -> Result<Vec<SurroundedSpan>, DrillstringError> {
-        let spans = self.spans(sites)?.into_iter();
+        let mut spans = self.spans(sites)?;
         let mut stretches = match channel {
             Channel::Torsion | Channel::Axial => self.mud_around(),
             Channel::Bending => self.surroundings(),
         };
+        if channel == Channel::Bending {
+            self.leave_out_what_is_held(sites, (&mut spans, &mut stretches))?;
+        }
+        let spans = spans.into_iter();
         let last = stretches.pop().map(|last| last.around).unwrap_or_default();
         if stretches.is_empty() {
             let whole = |Span { runs }| vec![Surrounded { around: last, runs }];
@@ -68,6 +72,35 @@ impl Drillstring {
             parts
         };
         Ok(spans.map(&mut cut).collect())
+    }
+
+    /// Leaves out what is held sideways: the top of the uppermost span, and what is around it.
+    fn leave_out_what_is_held(
+        &self,
+        sites: &Sites,
+        (spans, stretches): (&mut [Span], &mut Vec<Stretch>),
+    ) -> Result<(), DrillstringError> {
+        let (bends, same_place) = (self.bending_length(), self.same_place());
+        let depth = self.length() - bends;
+        if depth <= same_place {
+            return Ok(());
+        }
+        let distance = sites.distances_from_bit()[0];
+        if distance > bends - same_place {
+            return Err(DrillstringError::SiteHeld { distance, bends });
+        }
+        let runs = &mut spans[0].runs;
+        runs.reverse();
+        cut_off_top(runs, depth, same_place);
+        runs.reverse();
+        let mut left = depth;
+        stretches.retain_mut(|stretch| {
+            let held = stretch.length.min(left);
+            left -= held;
+            stretch.length -= held;
+            stretch.length > same_place
+        });
+        Ok(())
     }
 
     /// The string cut at the sites: one span above each site, and one more

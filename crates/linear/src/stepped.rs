@@ -68,8 +68,8 @@ pub struct SteppedPlan<'a> {
     sites: &'a Sites,
     parameters: &'a FiniteElement,
     sampling_frequency: f64,
-    /// Nodes, at most.
-    nodes: f64,
+    /// Nodes in torsion and in bending, at most.
+    nodes: [f64; 2],
 }
 
 impl<'a> SteppedPlan<'a> {
@@ -90,17 +90,19 @@ impl<'a> SteppedPlan<'a> {
             sites,
             parameters,
             sampling_frequency,
-            nodes: most_elements(string, sites, parameters.elements_per_cell) + 1.0,
+            nodes: [Channel::Torsion, Channel::Bending].map(|channel| {
+                most_elements(string, channel, sites, parameters.elements_per_cell) + 1.0
+            }),
         }
     }
 
     /// Memory that building takes, and what it keeps.
     fn need(&self) -> Need {
-        let (nodes, sites) = (self.nodes, self.sites.len());
-        let kept = SteppedChannel::<1, 1>::bytes(self.string, nodes, sites)
-            + SteppedChannel::<2, 2>::bytes(self.string, nodes, sites);
+        let ([turned, bent], sites) = (self.nodes, self.sites.len());
+        let kept = SteppedChannel::<1, 1>::bytes(self.string, turned, sites)
+            + SteppedChannel::<2, 2>::bytes(self.string, bent, sites);
         Need {
-            peak: kept + assembled_bytes(self.string, nodes),
+            peak: kept + assembled_bytes(self.string, turned.max(bent)),
             kept,
         }
     }
@@ -112,8 +114,9 @@ impl<'a> SteppedPlan<'a> {
 
     /// Bytes of a case that is stepped.
     pub fn motion_bytes(&self) -> f64 {
-        SteppedChannel::<1, 1>::motion_bytes(self.string, self.nodes)
-            + SteppedChannel::<2, 2>::motion_bytes(self.string, self.nodes)
+        let [turned, bent] = self.nodes;
+        SteppedChannel::<1, 1>::motion_bytes(self.string, turned)
+            + SteppedChannel::<2, 2>::motion_bytes(self.string, bent)
     }
 
     /// What the elements take of one budget, and the responses to loads at a number of sites,

@@ -2,7 +2,7 @@
 
 use linear::bending_modes::holding_spring;
 use linear::well::{PressedBy, SideForce, Survey};
-use linear::{Drillstring, Mud, Sites};
+use linear::{Drillstring, Mud, Sites, SurfaceSupport};
 use sim::Wall;
 use statics::{Bit, Contact, ContactState, Course, LyingString, StaticState, StaticsError, Top};
 
@@ -253,31 +253,41 @@ fn met_by(state: &ContactState, wall: &Wall) -> ([f64; 2], f64) {
     }
 }
 
-/// The sites of a string that lies in its hole, with springs that keep it from buckling where it
-/// does without its walls.
+/// A string that lies in its hole, held above its sites where it is at rest, and they with springs
+/// that keep it from buckling where it does without its walls. Where sites are yet to be found, it
+/// is held at the surface alone.
 ///
 /// # Errors
 /// Where no springs at its sites keep it from buckling.
 pub fn held(
     source: &Source,
     content: &FileContent,
-    string: &Drillstring,
-    (lateral, sites): (Option<&LateralSettings>, Sites),
-) -> Result<Sites, SweepFileError> {
-    let Some(lateral) = lateral.filter(|_| content.lies_on_low_side()) else {
-        return Ok(sites);
+    (string, mut lateral, sites): (Drillstring, Option<LateralSettings>, Sites),
+) -> Result<(Drillstring, Option<LateralSettings>, Sites), SweepFileError> {
+    let Some(bends) = lateral.as_mut().filter(|_| content.lies_on_low_side()) else {
+        return Ok((string, lateral, sites));
     };
-    let spring = holding_spring(string, &lateral.bending, lateral.support, &sites);
-    match source.checked("wall", spring)? {
-        Some(0.0) => Ok(sites),
+    let length = string.length();
+    let upper_end = Top::AboveContacts.distance(sites.distances_from_bit(), length);
+    let string = match bends.finding {
+        None if upper_end < length => {
+            bends.support = SurfaceSupport::Pinned;
+            source.checked("wall.sites", string.held_above(upper_end))?
+        }
+        _ => string,
+    };
+    let spring = holding_spring(&string, &bends.bending, bends.support, &sites);
+    let sites = match source.checked("wall", spring)? {
+        Some(0.0) => sites,
         Some(spring) => {
             let springs = vec![spring; sites.len()];
-            source.checked("wall", sites.held_by(springs))
+            source.checked("wall", sites.held_by(springs))?
         }
         None => {
             let message = "the string buckles even if it is held at every site: more sites, closer \
-                           together and higher up, hold it, or less weight on bit";
-            Err(source.error("wall.sites", message))
+                           together, hold it, or less weight on bit";
+            return Err(source.error("wall.sites", message));
         }
-    }
+    };
+    Ok((string, lateral, sites))
 }

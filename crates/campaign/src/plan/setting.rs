@@ -199,7 +199,7 @@ impl Setting {
             string,
             lateral.as_ref(),
         )?;
-        let sites = lying::held(source, content, &string, (lateral.as_ref(), sites))?;
+        let (string, lateral, sites) = lying::held(source, content, (string, lateral, sites))?;
         let lying = lying::resolve(source, content, (data, mud), &string, lateral.as_ref())?;
         let friction = string_friction::resolve(
             source,

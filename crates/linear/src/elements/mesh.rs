@@ -1,8 +1,8 @@
 //! The string divided into elements, with a node at every change of tube and
-//! at every site.
+//! at every site; in bending from where it is held down.
 
 use crate::channel::Channel;
-use crate::drillstring::{Drillstring, Tube};
+use crate::drillstring::{Drillstring, Section, Tube};
 use crate::error::BuildError;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
@@ -11,8 +11,8 @@ use crate::surroundings::Surroundings;
 /// The most elements: 16 million, some gigabytes with their matrices.
 const MOST_ELEMENTS: usize = 1 << 24;
 
-/// Elements from the surface down; node 0 is the surface, node i + 1 the
-/// bottom of element i.
+/// Elements from the surface down, or from where the string is held in bending; node 0 is that end,
+/// node i + 1 the bottom of element i.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     /// Each element as the piece of tube it covers.
@@ -21,6 +21,8 @@ pub struct Mesh {
     pub(crate) around: Vec<Surroundings>,
     /// The node of each site, from the surface down.
     pub site_nodes: Vec<usize>,
+    /// Depth of node 0 below the surface, m.
+    top: f64,
 }
 
 impl Mesh {
@@ -66,16 +68,17 @@ impl Mesh {
             elements,
             around,
             site_nodes,
+            top: string.length() - length_in(string, channel),
         })
     }
 
     /// Depth of every node below the surface, m.
     pub fn depths(&self) -> Vec<f64> {
-        let below = self.elements.iter().scan(0.0, |depth, element| {
+        let below = self.elements.iter().scan(self.top, |depth, element| {
             *depth += element.length;
             Some(*depth)
         });
-        std::iter::once(0.0).chain(below).collect()
+        std::iter::once(self.top).chain(below).collect()
     }
 
     /// The elements with what is around each.
@@ -83,7 +86,7 @@ impl Mesh {
         self.elements.iter().zip(&self.around)
     }
 
-    /// Number of nodes, the surface included.
+    /// Number of nodes, the upper end included.
     pub fn nodes(&self) -> usize {
         self.elements.len() + 1
     }
@@ -91,13 +94,32 @@ impl Mesh {
 
 /// Elements of a mesh, at most: every site may cut one in two, and so may what is around
 /// the string.
-pub(crate) fn most_elements(string: &Drillstring, sites: &Sites, elements_per_cell: usize) -> f64 {
+pub(crate) fn most_elements(
+    string: &Drillstring,
+    channel: Channel,
+    sites: &Sites,
+    elements_per_cell: usize,
+) -> f64 {
     let longest = longest_element(string, elements_per_cell);
-    let whole: f64 = string
-        .tubes()
-        .map(|(count, tube)| count * elements_of(tube, longest))
-        .sum();
+    let mut left = length_in(string, channel);
+    let of_section = |section: &Section| {
+        let cells = (left / section.cell_length()).ceil();
+        left -= section.length();
+        let of_cell: f64 = (section.parts.iter())
+            .map(|tube| elements_of(tube, longest))
+            .sum();
+        cells.clamp(0.0, section.repeat as f64) * of_cell
+    };
+    let whole: f64 = string.sections().iter().rev().map(of_section).sum();
     whole + (sites.len() + string.surroundings().len()) as f64
+}
+
+/// Length of what moves of a string, down to its bit, m.
+fn length_in(string: &Drillstring, channel: Channel) -> f64 {
+    match channel {
+        Channel::Torsion | Channel::Axial => string.length(),
+        Channel::Bending => string.bending_length(),
+    }
 }
 
 /// Refuses more elements than are made; what is no number of them too.

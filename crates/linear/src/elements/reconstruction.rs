@@ -33,6 +33,7 @@ use super::mesh::{Mesh, most_elements};
 use super::stepped::{self, SteppedChannel, SteppedMotion, assembled_bytes};
 use crate::bending::{Bending, SurfaceSupport};
 use crate::budget::{Need, REAL};
+use crate::channel::Channel;
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
 use crate::method::FiniteElement;
@@ -75,7 +76,8 @@ impl WholeString<'_> {
     /// The same with nodes at a number of places, too.
     pub(super) fn need_with(&self, places: usize, shapes: usize) -> Need {
         let cells = self.parameters.elements_per_cell;
-        let nodes = most_elements(self.string, self.sites, cells) + 1.0 + places as f64;
+        let nodes =
+            most_elements(self.string, Channel::Bending, self.sites, cells) + 1.0 + places as f64;
         let beam = SteppedChannel::<2, 2>::bytes(self.string, nodes, self.sites.len() + places);
         let motion = SteppedChannel::<2, 2>::motion_bytes(self.string, nodes);
         // Depths, peaks, and x and y of each shape; and where it rests.

@@ -80,7 +80,7 @@ impl NaturalFrequencies {
             Motion::Rod { .. } => None,
         };
         let held: Vec<f64> = held.map_or_else(Vec::new, |held| held.depths(&self.string).collect());
-        let top = held.first().copied().unwrap_or(0.0);
+        let top = held.first().copied().unwrap_or_else(|| self.top());
         let even = (0..count).map(|index| top + (length - top) * index as f64 / (count - 1) as f64);
         let is_at_support = |depth: &f64| {
             let mut near = held.iter().map(|place| (place - depth).abs());
@@ -124,6 +124,14 @@ impl NaturalFrequencies {
                 let places: Vec<usize> = places.collect();
                 Ok(held_at(&matrix(&network.receptance(s)), &places))
             }
+        }
+    }
+
+    /// Depth of the upper end of what moves, m.
+    fn top(&self) -> f64 {
+        match self.motion {
+            Motion::Rod { .. } => 0.0,
+            Motion::Bending { .. } => self.string.length() - self.string.bending_length(),
         }
     }
 

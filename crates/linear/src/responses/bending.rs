@@ -246,7 +246,7 @@ impl<'a> BendingPlan<'a> {
         }
         let (output, input) = self.pairs[response];
         let (length, distances) = (
-            self.string.length(),
+            self.string.bending_length(),
             self.request.sites.distances_from_bit(),
         );
         let depth = |site: usize| (length - distances[site]) / length;

@@ -3,7 +3,7 @@
 use crate::bending::Bending;
 use crate::channel::Channel;
 use crate::drillstring::Drillstring;
-use crate::in_mud::{self, Alike};
+use crate::in_mud;
 
 /// What holds back a string that moves across its hole slowly, as a rigid rod.
 pub(super) struct DragAtRest {
@@ -17,17 +17,22 @@ pub(super) struct DragAtRest {
 
 impl DragAtRest {
     pub(super) fn of(string: &Drillstring, bending: &Bending) -> Self {
+        let length = string.bending_length();
         if string.loss().viscous_mud().is_none() {
             return Self {
-                whole: bending.damping * string.length(),
+                whole: bending.damping * length,
                 centre: 0.0,
                 narrowness: 12.0,
             };
         }
         let (mut top, mut whole, mut first, mut second) = (-0.5, 0.0, 0.0, 0.0);
-        for Alike { length, mud, .. } in in_mud::one_by_one(string) {
+        let mut held = string.length() - length;
+        for piece in in_mud::one_by_one(string) {
+            let bends = (piece.length - held).max(0.0);
+            held = (held - piece.length).max(0.0);
+            let mud = piece.mud;
             let mud = mud.map_or(0.0, |mud| mud.steady_drag(Channel::Bending));
-            let (part, of_part) = (length / string.length(), length * (bending.damping + mud));
+            let (part, of_part) = (bends / length, bends * (bending.damping + mud));
             let middle = top + 0.5 * part;
             whole += of_part;
             first += of_part * middle;

@@ -7,6 +7,7 @@ mod convergence;
 mod elements;
 mod falling_torque;
 mod held;
+mod held_above;
 mod lengths;
 mod loss;
 mod moments;

@@ -1,0 +1,237 @@
+//! A string that is held sideways above a place bends as one that ends there, by every method, and
+//! turns as a whole.
+
+use linear::bending_modes::BendingModes;
+use linear::elements::reconstruction::WholeString;
+use linear::method::{FiniteElement, Transform};
+use linear::natural_frequencies::NaturalFrequencies;
+use linear::{
+    AxialForce, Bending, ChannelRequest, Drillstring, DrillstringError, Hole, HoleSection,
+    Material, Method, Mud, Request, Section, Sites, SurfaceSupport, Tube,
+};
+
+const STEEL: Material = Material {
+    shear_modulus: 80e9,
+    density: 7840.0,
+};
+
+const BENDING: Bending = Bending {
+    youngs_modulus: 210e9,
+    damping: 150.0,
+    compression: 0.0,
+};
+
+/// Pipe of a length, m.
+fn pipe(length: f64) -> Tube {
+    Tube {
+        length,
+        inner_radius: 0.05,
+        outer_radius: 0.06,
+    }
+}
+
+const JOINT: Tube = Tube {
+    length: 0.5,
+    inner_radius: 0.05,
+    outer_radius: 0.08,
+};
+
+const COLLARS: Tube = Tube {
+    length: 60.0,
+    inner_radius: 0.04,
+    outer_radius: 0.1,
+};
+
+/// Where it is held, m from the bit: 4 m above a joint.
+const HELD: f64 = 60.0 + 5.0 * 9.5 + 4.5;
+
+/// Some tubes, then pipe with joints and collars, in mud in a hole of two widths, pulled above and
+/// pushed below.
+fn above_collars(uppermost: Option<Tube>, cells: usize, hole: [f64; 2]) -> Drillstring {
+    let of = |repeat: usize, parts: Vec<Tube>| Section { repeat, parts };
+    let uppermost = uppermost.map(|tube| of(1, vec![tube, JOINT]));
+    let rest = [of(cells, vec![pipe(9.0), JOINT]), of(1, vec![COLLARS])];
+    let string = Drillstring::new(STEEL, uppermost.into_iter().chain(rest).collect(), 0.05);
+    let string = string.unwrap().with_loss_factor(0.002).unwrap();
+    let length = string.length();
+    let hole = Hole {
+        sections: vec![
+            HoleSection {
+                length: hole[0],
+                radius: 0.2,
+            },
+            HoleSection {
+                length: hole[1],
+                radius: 0.15,
+            },
+        ],
+        mud: Mud {
+            density: 1300.0,
+            viscosity: 0.02,
+        },
+    };
+    let pieces = [(length - 80.0, 9e3), (80.0, -4e3)];
+    let pieces = pieces.map(|(length, tension)| AxialForce { length, tension });
+    let string = string.in_hole(hole).unwrap();
+    string.under_axial_force(pieces.to_vec()).unwrap()
+}
+
+/// The whole string, 345 m, held there.
+fn held() -> Drillstring {
+    above_collars(None, 30, [245.0, 100.0])
+        .held_above(HELD)
+        .unwrap()
+}
+
+/// The same from there on.
+fn cut() -> Drillstring {
+    above_collars(Some(pipe(4.0)), 5, [HELD - 100.0, 100.0])
+}
+
+fn sites(string: &Drillstring) -> Sites {
+    Sites::new(string, &[90.0, 61.3, 20.0, 0.0]).unwrap()
+}
+
+fn methods() -> [Method; 6] {
+    [
+        Method::Held,
+        Method::Quadrature,
+        Method::Trapezoidal,
+        Method::FiniteElement(FiniteElement::default()),
+        Method::Hilbert(Transform::default()),
+        Method::DirectIdft(Transform::default()),
+    ]
+}
+
+fn taps(string: &Drillstring, method: &Method, channel: ChannelRequest) -> Vec<Vec<f64>> {
+    let request = Request {
+        sites: sites(string),
+        channels: vec![channel],
+        sampling_frequency: 400.0,
+        longest_time: 4.0,
+    };
+    let mut found = linear::responses(string, method, &request).unwrap();
+    let channel = found.channels.remove(0);
+    [channel.from_surface, channel.from_loads.concat()].concat()
+}
+
+#[test]
+fn a_string_held_above_a_place_bends_as_one_that_ends_there() {
+    let (held, cut) = (held(), cut());
+    assert!((cut.length() - held.bending_length()).abs() < 1e-9);
+    for support in [
+        SurfaceSupport::Free,
+        SurfaceSupport::Pinned,
+        SurfaceSupport::Clamped,
+    ] {
+        for method in methods() {
+            let bends = |string: &Drillstring| {
+                let bending = BENDING;
+                taps(
+                    string,
+                    &method,
+                    ChannelRequest::Bending { bending, support },
+                )
+            };
+            for (found, expected) in bends(&held).iter().zip(bends(&cut)) {
+                let off = (found.iter().zip(&expected)).map(|(one, other)| (one - other).abs());
+                let peak = expected
+                    .iter()
+                    .fold(0.0, |most: f64, it| most.max(it.abs()));
+                let off = off.fold(0.0, f64::max) / peak;
+                assert!(off < 1e-8, "{} {support:?}: {off}", method.name());
+            }
+        }
+        let frequencies = |string: &Drillstring| {
+            let found = NaturalFrequencies::bending(string, &BENDING, support).unwrap();
+            let lowest = found.lowest(6).unwrap();
+            let shape = found.shape(lowest[4], 30).unwrap();
+            let length = string.length();
+            let from_bit: Vec<f64> = shape.depths.iter().map(|depth| length - depth).collect();
+            let modes = BendingModes::new(string, &BENDING, support).unwrap();
+            (lowest, from_bit, shape.amplitudes, modes.mass())
+        };
+        let (found, expected) = (frequencies(&held), frequencies(&cut));
+        for (found, expected) in [
+            (&found.0, &expected.0),
+            (&found.1, &expected.1),
+            (&found.2, &expected.2),
+            (&vec![found.3], &vec![expected.3]),
+        ] {
+            assert_eq!(found.len(), expected.len());
+            for (found, expected) in found.iter().zip(expected) {
+                // Shapes are those next to a resonance; their greatest amplitude is 1.
+                let size = expected.abs().max(1.0);
+                assert!((found - expected).abs() < 1e-5 * size, "{found} {expected}");
+            }
+        }
+    }
+}
+
+/// Between its sites, too: depths are those of the whole string.
+#[test]
+fn what_moves_between_sites_of_a_held_string_is_below_where_it_is_held() {
+    let shape = |string: &Drillstring| {
+        let whole = WholeString {
+            string,
+            bending: &BENDING,
+            support: SurfaceSupport::Pinned,
+            sites: &sites(string),
+            sampling_frequency: 400.0,
+            parameters: FiniteElement::default(),
+        };
+        let pushed = vec![vec![50.0; 200]; 4];
+        let mut found = whole
+            .reconstruct(&[pushed.clone(), pushed], &[199])
+            .unwrap();
+        let from_bit: Vec<f64> = (found.depths.iter())
+            .map(|depth| string.length() - depth)
+            .collect();
+        let [along, _] = found.shapes.remove(0);
+        (from_bit, along)
+    };
+    let (found, expected) = (shape(&held()), shape(&cut()));
+    assert!((found.0[0] - HELD).abs() < 1e-9 && found.1[0] == 0.0);
+    for (found, expected) in [(&found.0, &expected.0), (&found.1, &expected.1)] {
+        assert_eq!(found.len(), expected.len());
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn a_string_held_above_a_place_turns_as_a_whole() {
+    let whole = above_collars(None, 30, [245.0, 100.0]);
+    let held = held();
+    assert_ne!(whole.id(), held.id());
+    for method in methods() {
+        let turns = |string: &Drillstring| {
+            let torques = vec![0, 3];
+            taps(string, &method, ChannelRequest::Torsion { torques })
+        };
+        assert_eq!(turns(&whole), turns(&held), "{}", method.name());
+    }
+}
+
+#[test]
+fn sites_where_it_is_held_and_places_off_the_string_are_refused() {
+    let string = above_collars(None, 30, [245.0, 100.0]);
+    let length = string.length();
+    for distance in [0.0, -1.0, length, 2.0 * length, f64::NAN] {
+        let found = string.clone().held_above(distance);
+        assert!(
+            matches!(found, Err(DrillstringError::HeldOffString { .. })),
+            "{distance}"
+        );
+    }
+    let held = held();
+    for distance in [HELD, HELD + 1.0, 0.99 * length] {
+        let sites = Sites::new(&held, &[distance, 0.0]).unwrap();
+        let support = SurfaceSupport::Pinned;
+        let network = linear::waves::lateral::BendingNetwork::new(&held, BENDING, support, &sites)
+            .map(|_| ());
+        let bends = held.bending_length();
+        assert_eq!(network, Err(DrillstringError::SiteHeld { distance, bends }));
+    }
+}
