@@ -377,3 +377,38 @@ fn what_does_not_go_with_a_string_that_lies_is_refused_by_its_key() {
         assert!(refused.errors.contains(says), "{key}: {}", refused.errors);
     }
 }
+
+/// Sites to a few metres model little of it: what is above is judged by the closed form of pipe on the low
+/// side, and with sites all along by the pivots of its elements. They share no equation, and the ends of
+/// a string are held otherwise than in the closed form.
+#[test]
+fn a_string_that_snakes_above_its_sites_is_warned_of() {
+    let inspected = |every: f64, to: f64, weight: f64| -> Value {
+        let sites = format!("sites = \"ends\"\nsites_every_m = {every}\nsites_to_m = {to}");
+        let text = LYING
+            .replace("sites = \"ends\"", &sites)
+            .replace("repeat = 6", "repeat = 30")
+            .replace(
+                "[well]",
+                &format!("[bit]\nrock = \"sandstone\"\nweight_on_bit_kn = {weight}\n[well]"),
+            );
+        let place = Workplace::with_small(&text);
+        let answer = place.answer(&["inspect", "small.toml", "--json"]);
+        assert_eq!(answer.code, 0, "{}", answer.errors);
+        let found: Value = serde_json::from_str(&answer.output).unwrap();
+        found["lying"].clone()
+    };
+    let snakes = inspected(4.0, 200.0, 0.0)["snakes_from_kn"]
+        .as_f64()
+        .unwrap();
+    let above = |part: f64| inspected(4.0, 25.0, part * snakes)["snakes_above"].clone();
+    assert!(above(0.9).is_null());
+    let found = above(1.05);
+    let [pushed, bears] = ["pushed_kn", "bears_kn"].map(|key| found[key].as_f64().unwrap());
+    assert!(
+        pushed > bears && (bears / snakes - 1.0).abs() < 0.1,
+        "{found}"
+    );
+    let from = found["from_bit_m"][0].as_f64().unwrap();
+    assert!((25.0..30.0).contains(&from), "{found}");
+}

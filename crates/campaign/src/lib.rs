@@ -88,6 +88,7 @@ pub mod labels;
 pub mod memory;
 pub mod plan;
 pub mod printable;
+pub mod pushed_above;
 pub mod quantities;
 pub mod records;
 pub mod rounds;

@@ -6,6 +6,7 @@ use statics::{Bit, Contact, ContactState, LyingString, Place, StaticState, Stati
 
 use crate::engine::Clearances;
 use crate::plan::{Conditions, Setting};
+use crate::pushed_above::PushedAbove;
 use crate::quantities::{LENGTH, Units, WIDTH};
 
 /// No weight on bit is larger, N.
@@ -39,6 +40,8 @@ pub struct StaticString {
     weight_on_bit_kn: f64,
     /// Where the string goes farthest beyond its wall between its sites.
     beyond: Option<BeyondWall>,
+    /// Where it snakes above what is modelled, if it does.
+    above: Option<PushedAbove>,
     /// How long the string is, m.
     length: f64,
 }
@@ -61,6 +64,8 @@ pub struct AtRest {
     pub contacts: Vec<TouchingSite>,
     /// Where it goes farthest beyond its wall between its sites, if it does.
     pub beyond_wall: Option<BeyondWall>,
+    /// Where it snakes above what is modelled, if it does.
+    pub snakes_above: Option<PushedAbove>,
     /// Of the bit on the rock, to the high side and to the right looking down.
     pub side_force_of_bit_kn: [f64; 2],
     /// Of the bit to the axis of the hole, towards the same.
@@ -165,6 +170,7 @@ impl StaticString {
                 weight_on_bit_kn: conditions.weight_on_bit_kn.unwrap_or(0.0),
                 length: setting.string.length(),
                 beyond: BeyondWall::of(setting, conditions, &state),
+                above: PushedAbove::of(setting, conditions),
                 state,
             })
         };
@@ -196,6 +202,7 @@ impl StaticString {
             sites: state.contacts().len(),
             contacts: touching.map(contact).collect(),
             beyond_wall: self.beyond,
+            snakes_above: self.above,
             side_force_of_bit_kn: state.side_force_at_bit().map(|force| 1e-3 * force),
             tilt_of_bit_deg: state.tilt_of_bit().map(f64::to_degrees),
             greatest_moment_knm: greatest(1e-3, state.greatest_moment(to)),

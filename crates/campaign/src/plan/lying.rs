@@ -1,7 +1,7 @@
 //! A string that lies in its hole: in a well whose course is known, on the walls of its sites.
 
 use linear::bending_modes::holding_spring;
-use linear::well::{PressedBy, SideForce, Survey};
+use linear::well::{PressedBy, PressedLength, SideForce, Survey};
 use linear::{Drillstring, Mud, Sites, SurfaceSupport};
 use sim::Wall;
 use statics::{Bit, Contact, ContactState, Course, LyingString, StaticState, StaticsError, Top};
@@ -149,6 +149,16 @@ impl Lying {
         }
     }
 
+    /// The string as one without stiffness in bending, from the surface down.
+    pub fn along(
+        &self,
+        string: &Drillstring,
+        (lateral, conditions): (&LateralSettings, &Conditions),
+    ) -> Vec<PressedLength> {
+        let soft = SideForce::new(string, &self.survey, self.mud, PressedBy::WeightAndTension);
+        soft.along(pushed(lateral, conditions)).collect()
+    }
+
     /// What a string without stiffness in bending presses on the hole with, up to a distance from the
     /// bit (m): at each of a number of places (m from the bit, from the surface down) what is nearer
     /// to it than to others, N.
@@ -158,10 +168,9 @@ impl Lying {
         (lateral, conditions): (&LateralSettings, &Conditions),
         (places, top): (&[f64], f64),
     ) -> Vec<f64> {
-        let soft = SideForce::new(string, &self.survey, self.mud, PressedBy::WeightAndTension);
         let mut forces = vec![0.0; places.len()];
-        for [depth, force] in soft.forces(pushed(lateral, conditions)) {
-            let distance = string.length() - depth;
+        for it in self.along(string, (lateral, conditions)) {
+            let (distance, force) = (string.length() - it.depth, it.load * it.length);
             // From the surface down.
             let below = places.partition_point(|place| *place > distance);
             let off = |site: &usize| (places[*site] - distance).abs();

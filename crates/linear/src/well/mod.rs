@@ -31,7 +31,7 @@ mod survey;
 
 pub use axial_force::HangingString;
 pub use quasi_static_twist::{QuasiStaticTwist, TooFine, least_pieces};
-pub use side_force::{PressedBy, SideForce};
+pub use side_force::{PressedBy, PressedLength, SideForce};
 pub use survey::{Station, Survey, SurveyError};
 
 /// Acceleration of gravity, m/s².

@@ -46,6 +46,22 @@ struct Piece {
     turn: Vector,
 }
 
+/// A short length of a string as it lies on the wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct PressedLength {
+    /// Of its middle from the surface, m.
+    pub depth: f64,
+    /// Its length, m.
+    pub length: f64,
+    /// Of what lies on the wall, m.
+    pub radius: f64,
+    /// Tension, N; negative where it is pushed.
+    pub tension: f64,
+    /// What it presses on the wall with, N/m.
+    pub load: f64,
+}
+
 impl SideForce {
     /// Of a string in a well that is surveyed at least as deep; in `mud` it is buoyed. Parts lie on
     /// wider ones that carry them, as pipe on its joints, or on themselves where they sag to the wall.
@@ -134,11 +150,16 @@ impl SideForce {
         QuasiStaticTwist::new(stretches)
     }
 
-    /// What each short length of the string presses on the wall with under a weight on bit (N): the
-    /// depth of its middle, m, and that force, N.
-    pub fn forces(&self, weight_on_bit: f64) -> impl Iterator<Item = [f64; 2]> {
+    /// Each short length of the string under a weight on bit (N), from the surface down.
+    pub fn along(&self, weight_on_bit: f64) -> impl Iterator<Item = PressedLength> {
         let pieces = self.pieces.iter();
-        pieces.map(move |piece| [piece.depth, piece.force(weight_on_bit)])
+        pieces.map(move |piece| PressedLength {
+            depth: piece.depth,
+            length: piece.length,
+            radius: piece.radius,
+            tension: piece.tension - weight_on_bit,
+            load: piece.force(weight_on_bit) / piece.length,
+        })
     }
 
     /// The weight of the string along the well, buoyed, N: what the hook carries above a bit that

@@ -45,7 +45,7 @@ fn rubs_on_its_joints(length: f64) -> bool {
     };
     let survey = Survey::new(vec![station(0.0), station(1e4)]).unwrap();
     let force = SideForce::new(&string, &survey, None, PressedBy::Weight);
-    let weight: f64 = force.forces(0.0).map(|[_, force]| force).sum();
+    let weight: f64 = force.along(0.0).map(|it| it.load * it.length).sum();
     let torque = force.friction_torques(1, 0.0)[0];
     (torque / (weight * JOINT.outer_radius) - 1.0).abs() < 1e-9
 }

@@ -4,6 +4,7 @@ use super::terminal::Terminal;
 use crate::cli::MemoryArguments;
 use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
+use campaign::pushed_above::PushedAbove;
 use campaign::quantities::Axis;
 use campaign::static_string::BeyondWall;
 use campaign::words::counted;
@@ -51,8 +52,12 @@ pub fn warn_of_limits(sweep: &Sweep, terminal: Terminal) {
     }
 }
 
-/// Warns of a string that lies in its hole on so few sites that it does not stay within its wall.
+/// Warns of a string that lies in its hole on so few sites that it does not stay within its wall, or
+/// that they end where it snakes.
 pub fn warn_of_few_sites(sweep: &Sweep, terminal: Terminal) {
+    if let Some(pushed) = PushedAbove::in_sweep(sweep) {
+        terminal.complain(&format!("warning: {}", pushed.words(sweep.content.units)));
+    }
     if let Some(beyond) = BeyondWall::far(&sweep.setting, &sweep.conditions) {
         let words = beyond.words(sweep.content.units);
         terminal.complain(&format!("warning: at rest the string goes {words}"));

@@ -119,6 +119,7 @@ fn in_words(lying: &AtRest, units: Units) -> String {
             ),
         ),
     ];
+    let above = (lying.snakes_above.iter()).map(|it| row(2, "above that", &it.words(units)));
     let turning = lying.turning.iter().map(|turning| {
         let [least, greatest] = turning.climb_deg;
         let torque = moment.text(turning.friction_torque_knm, 2);
@@ -126,7 +127,7 @@ fn in_words(lying: &AtRest, units: Units) -> String {
         row(2, "turning, sliding on these", &value)
     });
     let lines = rows.iter().map(|(title, value)| row(2, title, value));
-    lines.chain(turning).collect::<String>() + &contact_lines(lying, [&length, &force])
+    lines.chain(above).chain(turning).collect::<String>() + &contact_lines(lying, [&length, &force])
 }
 
 fn contact_lines(lying: &AtRest, [length, force]: [&Unit; 2]) -> String {
