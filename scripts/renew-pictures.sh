@@ -55,7 +55,8 @@ cp "$folder/well_12in_low_side_at_rest/static_string.png" \
 keep well_12in campbell
 
 for figure in fig09 fig09_certified fig14 fig17 fig17_trace well_12in well_12in_soft_torque \
-    well_12in_mud well_12in_cutting well_12in_low_side fig09_cutting axial_aarsnes; do
+    well_12in_mud well_12in_cutting well_12in_low_side well_12in_on_bottom fig09_cutting \
+    axial_aarsnes; do
     "$sweep" run "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" map
 done

@@ -5,6 +5,7 @@ mod early_stop;
 mod forward_contact;
 mod found_sites;
 mod hole;
+mod on_bottom;
 mod paper_lateral;
 mod paper_torsion;
 mod recorded_well;

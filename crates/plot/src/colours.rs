@@ -76,6 +76,7 @@ pub(crate) const COLOURS: [Colour; 7] = [BLUE, ORANGE, GREEN, RED, PURPLE, SKY_B
 
 /// Fills below the symbols of their colours.
 pub(crate) const BLUE_GROUND: Colour = Colour(0x9A, 0xCD, 0xEC);
+pub(crate) const GREEN_GROUND: Colour = Colour(0x8F, 0xC9, 0xB3);
 pub(crate) const GREY_GROUND: Colour = Colour(0xF3, 0xF3, 0xF3);
 pub(crate) const ORANGE_GROUND: Colour = Colour(0xB3, 0x50, 0x00);
 pub(crate) const PURPLE_GROUND: Colour = Colour(0xC9, 0x86, 0xAD);

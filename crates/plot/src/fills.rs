@@ -4,7 +4,7 @@
 use super::canvas::Canvas;
 use super::colours::{
     BLUE_GROUND, CERTAIN_BLUE_GROUND, CERTAIN_GREY_GROUND, CERTAIN_PURPLE_GROUND, Colour,
-    GREY_GROUND, NO_CASE, ORANGE_GROUND, PARTS, PURPLE_GROUND, SAFETY,
+    GREEN_GROUND, GREY_GROUND, NO_CASE, ORANGE_GROUND, PARTS, PURPLE_GROUND, SAFETY,
 };
 use super::geometry::Rect;
 use super::shapes::Stroke;
@@ -94,6 +94,7 @@ pub(crate) fn draw_fill(canvas: &mut Canvas, fill: CellFill, area: Rect) {
         CellFill::Symbol(Symbol::Circle) => BLUE_GROUND,
         CellFill::Symbol(Symbol::Cross) => GREY_GROUND,
         CellFill::Symbol(Symbol::Square) => ORANGE_GROUND,
+        CellFill::Symbol(Symbol::Triangle) => GREEN_GROUND,
         CellFill::Symbol(Symbol::Disc) => CERTAIN_BLUE_GROUND,
         CellFill::Symbol(Symbol::HeavyCross) => CERTAIN_GREY_GROUND,
         CellFill::Symbol(Symbol::Diamond) => PURPLE_GROUND,

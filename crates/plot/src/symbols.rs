@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::canvas::Canvas;
-use super::colours::{BLACK, BLUE, Colour, GREY, ORANGE, PLUM, WHITE};
+use super::colours::{BLACK, BLUE, Colour, GREEN, GREY, ORANGE, PLUM, WHITE};
 use super::geometry::{Pixel, Rect};
 use super::shapes::Stroke;
 
@@ -29,11 +29,13 @@ pub enum Symbol {
     Diamond,
     /// A filled diamond.
     FilledDiamond,
+    /// An open triangle.
+    Triangle,
 }
 
 impl Symbol {
     /// Every one, in the order of their numbers.
-    pub const ALL: [Symbol; 7] = [
+    pub const ALL: [Symbol; 8] = [
         Symbol::Circle,
         Symbol::Cross,
         Symbol::Square,
@@ -41,36 +43,49 @@ impl Symbol {
         Symbol::HeavyCross,
         Symbol::Diamond,
         Symbol::FilledDiamond,
+        Symbol::Triangle,
     ];
 
-    /// That of a case of which some of the methods find sustained vibration, and some that the start
-    /// decides: as in the paper a circle where every method finds it, a cross where none does, a
-    /// square where they differ; a diamond where by every method the start decides.
-    pub fn of_methods([sustained, bistable]: [usize; 2], methods: usize) -> Self {
-        match bistable {
-            0 if sustained == methods => Symbol::Circle,
-            0 if sustained == 0 => Symbol::Cross,
-            _ if bistable == methods => Symbol::Diamond,
+    /// That of a case of which some of the methods find sustained vibration, some that the start
+    /// decides, and some less than sustained vibration: as in the paper a circle where every method
+    /// finds it, a cross where none finds anything, a square where they differ; a diamond where by
+    /// every method the start decides, a triangle where by every method it is less.
+    pub fn of_methods([sustained, bistable, lesser]: [usize; 3], methods: usize) -> Self {
+        match [sustained, bistable, lesser] {
+            [0, 0, 0] => Symbol::Cross,
+            [all, 0, 0] if all == methods => Symbol::Circle,
+            [_, all, 0] if all == methods => Symbol::Diamond,
+            [0, 0, all] if all == methods => Symbol::Triangle,
             _ => Symbol::Square,
         }
     }
 
-    /// What symbols mean of a motion with a sustained regime and one that is not, `by_all` methods.
-    pub fn meanings([regime, none]: [&str; 2], by_all: &str) -> [(Symbol, String); 4] {
+    /// What symbols mean of a motion with a sustained regime, one that is not and, of some, one that is
+    /// less than sustained, `by_all` methods.
+    pub fn meanings(
+        ([regime, none], lesser): ([&str; 2], Option<&str>),
+        by_all: &str,
+    ) -> Vec<(Symbol, String)> {
         let comma = if by_all.is_empty() { "" } else { "," };
+        let lesser = lesser.map(|regime| (Symbol::Triangle, format!("{regime}{by_all}")));
         [
             (Symbol::Circle, format!("{regime}{by_all}")),
             (
                 Symbol::Diamond,
                 format!("{regime} or {none}, depending on the start{comma}{by_all}"),
             ),
+        ]
+        .into_iter()
+        .chain(lesser)
+        .chain([
             (Symbol::Cross, format!("{none}{by_all}")),
             (Symbol::Square, "methods differ".to_owned()),
-        ]
+        ])
+        .collect()
     }
 
     /// The same where certainty is known for each case.
-    pub fn by_certainty(meanings: [(Symbol, String); 4]) -> Vec<(Symbol, String)> {
+    pub fn by_certainty(meanings: Vec<(Symbol, String)>) -> Vec<(Symbol, String)> {
         let of_symbol = |(symbol, meaning): (Symbol, String)| {
             let certain = symbol.filled();
             if certain == symbol {
@@ -91,10 +106,11 @@ impl Symbol {
             Symbol::Cross | Symbol::HeavyCross => GREY,
             Symbol::Square => ORANGE,
             Symbol::Diamond | Symbol::FilledDiamond => PLUM,
+            Symbol::Triangle => GREEN,
         }
     }
 
-    /// The same filled, or heavy; a square stays as it is.
+    /// The same filled, or heavy; a square or a triangle stays as it is.
     pub fn filled(self) -> Self {
         match self {
             Symbol::Circle => Symbol::Disc,
@@ -129,6 +145,12 @@ pub(crate) fn draw_symbol(canvas: &mut Canvas, symbol: Symbol, (x, y): Pixel, r:
             canvas.line(&path, Stroke::solid(colour, 0.3 * r))
         }
         Symbol::FilledDiamond => canvas.polygon(&diamond((x, y), 1.4 * r), colour),
+        Symbol::Triangle => {
+            let [top, right, left] = triangle((x, y), 1.3 * r);
+            // Starting within a side leaves no notch at a corner.
+            let path = [(x, right.1), left, top, right, (x, right.1)];
+            canvas.line(&path, Stroke::solid(colour, 0.32 * r))
+        }
     }
 }
 

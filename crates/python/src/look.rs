@@ -21,11 +21,14 @@ pub fn _symbols(
     certified: bool,
 ) -> PyResult<Vec<(&'static str, String, String)>> {
     let by_all = if methods == 1 { "" } else { " by all methods" };
-    let meanings = Symbol::meanings(motion_of(motion)?.regimes(), by_all);
+    let meanings = {
+        let motion = motion_of(motion)?;
+        Symbol::meanings((motion.regimes(), motion.lesser_regime()), by_all)
+    };
     let meanings = if certified {
         Symbol::by_certainty(meanings)
     } else {
-        meanings.to_vec()
+        meanings
     };
     let symbols = meanings.into_iter();
     Ok(symbols
@@ -57,7 +60,8 @@ pub fn _symbols_of_cases(
             .as_ref()
             .is_some_and(|it| it[rows.clone()].contains(&Some(true)));
         let found = FoundByMethods::of(labels[rows.clone()].iter().copied());
-        let symbol = found.map(|it| Symbol::of_methods([it.sustained, it.bistable], it.methods));
+        let symbol =
+            found.map(|it| Symbol::of_methods([it.sustained, it.bistable, it.lesser], it.methods));
         let drawn = symbol.map(|it| if is_certain { it.filled() } else { it });
         (rows.start, drawn.map(name_of))
     });
@@ -120,5 +124,6 @@ fn name_of(symbol: Symbol) -> &'static str {
         Symbol::HeavyCross => "heavy_cross",
         Symbol::Diamond => "diamond",
         Symbol::FilledDiamond => "filled_diamond",
+        Symbol::Triangle => "triangle",
     }
 }

@@ -69,6 +69,11 @@ impl Label {
             )),
         }
     }
+
+    /// Whether it is less than sustained vibration, and more than none ([`Motion::less`]).
+    pub fn is_lesser(self) -> bool {
+        self == Label::Lateral(LateralRegime::Snaking)
+    }
 }
 
 impl From<TorsionRegime> for Label {

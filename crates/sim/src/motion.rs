@@ -52,6 +52,14 @@ impl Motion {
             Motion::Axial => ["axial vibration", "steady"],
         }
     }
+
+    /// A regime between these, as a person reads it.
+    pub fn lesser_regime(self) -> Option<&'static str> {
+        match self {
+            Motion::Lateral => Some("snaking on its low side"),
+            Motion::Torsion | Motion::Axial => None,
+        }
+    }
 }
 
 /// A value for each motion, `values[motion]`. Of optional values, files hold those that are

@@ -36,6 +36,7 @@ MARKERS = {
     "heavy_cross": ("x", True, 0.6),
     "diamond": ("D", False, 0.3),
     "filled_diamond": ("D", True, 0.1),
+    "triangle": ("^", False, 0.32),
 }
 
 DASHES = ("-", (0, (6, 3)), (0, (1.5, 2)), (0, (6, 2, 1.5, 2)))

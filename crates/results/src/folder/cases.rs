@@ -28,6 +28,8 @@ pub struct FoundByMethods {
     pub sustained: usize,
     /// That the start decides.
     pub bistable: usize,
+    /// Less than sustained vibration.
+    pub lesser: usize,
     /// Methods.
     pub methods: usize,
 }
@@ -38,12 +40,14 @@ impl FoundByMethods {
         let mut found = Self {
             sustained: 0,
             bistable: 0,
+            lesser: 0,
             methods: 0,
         };
         for label in labels {
             let label = label?;
             found.sustained += usize::from(label.is_sustained()?);
             found.bistable += usize::from(label == BISTABLE);
+            found.lesser += usize::from(label.is_lesser());
             found.methods += 1;
         }
         Some(found)

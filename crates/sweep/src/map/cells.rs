@@ -60,6 +60,7 @@ impl Cells {
             Symbol::HeavyCross,
             Symbol::FilledDiamond,
             Symbol::Circle,
+            Symbol::Triangle,
             Symbol::Cross,
             Symbol::Diamond,
             Symbol::Square,

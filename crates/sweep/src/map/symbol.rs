@@ -10,7 +10,7 @@ use results::folder::CaseRows;
 pub fn symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
     let found = case.found(motion)?;
     Some(Symbol::of_methods(
-        [found.sustained, found.bistable],
+        [found.sustained, found.bistable, found.lesser],
         found.methods,
     ))
 }
@@ -45,6 +45,27 @@ mod tests {
             "no answer of one method, no lateral motion"
         );
         assert_eq!(symbols(Motion::Torsion), [None, None, Some(Symbol::Cross)]);
+    }
+
+    /// Snaking is less than whirl and more than nothing.
+    #[test]
+    fn snaking_has_a_symbol_where_all_methods_find_it() {
+        let file = tempfile::NamedTempFile::new().expect("a file");
+        let table = "case,method,torsion,lateral\n\
+                     0,a,,snaking\n0,b,,snaking\n1,a,,snaking\n1,b,,low_side\n\
+                     2,a,,backward_whirl\n2,b,,snaking\n3,a,,low_side\n3,b,,low_side\n";
+        std::fs::write(file.path(), table).expect("written");
+        let cases = read_cases(file.path(), &[]).expect("a table");
+        let symbols: Vec<_> = cases
+            .map(|case| symbol_of(&case.expect("read"), Motion::Lateral))
+            .collect();
+        let expected = [
+            Symbol::Triangle,
+            Symbol::Square,
+            Symbol::Square,
+            Symbol::Cross,
+        ];
+        assert_eq!(symbols, expected.map(Some));
     }
 
     /// A case is drawn as certain where a method that certifies it has its label; a square

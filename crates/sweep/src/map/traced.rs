@@ -105,7 +105,7 @@ impl TracedMap<'_> {
                 Class::Undetermined | Class::Unknown => return None,
             }
         }
-        Some(Symbol::of_methods([with, 0], self.methods))
+        Some(Symbol::of_methods([with, 0, 0], self.methods))
     }
 
     /// The tiles of any method, by their ends along the design's axes, each with the mean
@@ -139,7 +139,7 @@ fn as_part(fill: CellFill) -> CellFill {
         CellFill::Symbol(
             Symbol::Circle | Symbol::Disc | Symbol::Diamond | Symbol::FilledDiamond,
         ) => CellFill::Fraction(Fraction::of(1.0)),
-        CellFill::Symbol(Symbol::Cross | Symbol::HeavyCross) => {
+        CellFill::Symbol(Symbol::Cross | Symbol::HeavyCross | Symbol::Triangle) => {
             CellFill::Fraction(Fraction::of(0.0))
         }
         CellFill::Symbol(Symbol::Square)

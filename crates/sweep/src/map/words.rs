@@ -79,10 +79,10 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ce
         " by all methods"
     };
     let is_there = |symbol| contents.iter().any(|content| content.has(symbol));
-    let meanings = Symbol::meanings(motion.regimes(), by_all);
+    let meanings = Symbol::meanings((motion.regimes(), motion.lesser_regime()), by_all);
     let meanings = match manifest.certified_by {
         Some(_) => Symbol::by_certainty(meanings),
-        None => meanings.to_vec(),
+        None => meanings,
     };
     let mut found: Vec<_> = (meanings.into_iter())
         .filter(|(symbol, _)| is_there(*symbol))

@@ -40,6 +40,9 @@ pub struct Shown {
     /// The start decides.
     #[serde(rename = "bistable")]
     pub diamonds: usize,
+    /// Every method finds less than sustained vibration: snaking.
+    #[serde(rename = "all_snaking")]
+    pub triangles: usize,
     /// Not drawn: some method has no answer, or an undetermined one.
     #[serde(rename = "undetermined")]
     pub undrawn: usize,
@@ -56,6 +59,7 @@ impl Shown {
             Some(Symbol::Cross | Symbol::HeavyCross) => &mut self.crosses,
             Some(Symbol::Square) => &mut self.squares,
             Some(Symbol::Diamond | Symbol::FilledDiamond) => &mut self.diamonds,
+            Some(Symbol::Triangle) => &mut self.triangles,
             None => &mut self.undrawn,
         };
         *place += 1;

@@ -49,13 +49,17 @@ pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Ax
 /// What the characters on the map mean.
 fn legend(cells: &Cells, motion: Motion) -> String {
     let joined = cells.joined();
-    let keys: String = (Symbol::meanings(motion.regimes(), " by all methods").into_iter())
-        .filter(|(symbol, _)| {
-            let fill = CellFill::Symbol(*symbol);
-            joined.iter().any(|cell| cell.fill == fill)
-        })
-        .map(|(symbol, meaning)| format!("{} {meaning}\n", character(symbol)))
-        .collect();
+    let keys: String = (Symbol::meanings(
+        (motion.regimes(), motion.lesser_regime()),
+        " by all methods",
+    )
+    .into_iter())
+    .filter(|(symbol, _)| {
+        let fill = CellFill::Symbol(*symbol);
+        joined.iter().any(|cell| cell.fill == fill)
+    })
+    .map(|(symbol, meaning)| format!("{} {meaning}\n", character(symbol)))
+    .collect();
     if keys.is_empty() {
         return "No case has an answer.\n".to_owned();
     }
@@ -69,6 +73,7 @@ fn character(symbol: Symbol) -> char {
         Symbol::Cross | Symbol::HeavyCross => '.',
         Symbol::Square => '#',
         Symbol::Diamond | Symbol::FilledDiamond => '?',
+        Symbol::Triangle => '^',
     }
 }
 

@@ -22,6 +22,7 @@ pub fn class_of_symbol(symbol: Symbol) -> &'static str {
         Symbol::HeavyCross => "heavy",
         Symbol::Diamond => "diamond",
         Symbol::FilledDiamond => "gem",
+        Symbol::Triangle => "triangle",
     }
 }
 
@@ -64,6 +65,16 @@ pub fn symbol_path(symbol: Symbol, (x, y): (f64, f64), radius: f64) -> String {
             format!(
                 "M{} {top}l{side} {side}l-{side} {side}l-{side} -{side}z",
                 number(x)
+            )
+        }
+        Symbol::Triangle => {
+            let (far, half) = (1.3 * radius, 1.3 * radius * 0.75f64.sqrt());
+            let (down, across) = (number(1.5 * far), number(2.0 * half));
+            format!(
+                "M{} {}l{} {down}h-{across}z",
+                number(x),
+                number(y - far),
+                number(half)
             )
         }
     }
