@@ -7,7 +7,7 @@ use linear::fft::{self, ComplexToReal, RealToComplex};
 use linear::{Complex64, ResponseError};
 use pulp::Arch;
 
-use super::partition::{FIRST_BLOCK, LANES, Partition};
+use super::partition::{FIRST_BLOCK, LANES, Partition, RECENT};
 
 /// Numbers that the plans of a level's transforms hold for each step of a block.
 const PLANS: f64 = 16.0;
@@ -18,8 +18,11 @@ pub struct Kernels {
     pub(super) sites: usize,
     /// A(0), `[output × sites + input]`.
     instants: Vec<f64>,
-    /// Of each pair a lane of zeros, and taps 1 … B₀ − 1.
-    pub(super) recent: Vec<Vec<f64>>,
+    /// Which kernel each pair has, `[output × sites + input]`: where responses are the same in both
+    /// directions, so are kernels, and there are half as many.
+    pub(super) kernel_of: Vec<usize>,
+    /// Of each kernel a lane of zeros, taps 1 … B₀ − 1 and another zero.
+    pub(super) recent: Vec<f64>,
     pub(super) levels: Vec<Level>,
     /// Which instructions the processor has.
     pub(super) arch: Arch,
@@ -30,7 +33,7 @@ pub struct Kernels {
 pub(super) struct Level {
     pub(super) block: usize,
     pub(super) partitions: usize,
-    /// Of each pair and partition, its spectrum as [`split`] leaves it.
+    /// Of each kernel and partition, its spectrum as [`split`] leaves it.
     pub(super) spectra: Vec<f64>,
     pub(super) forward: Arc<dyn RealToComplex<f64>>,
     pub(super) inverse: Arc<dyn ComplexToReal<f64>>,
@@ -122,7 +125,7 @@ impl Kernels {
             spectra + PLANS * block as f64
         };
         let levels: f64 = Partition::of(sites).levels(taps).map(of_level).sum();
-        let instant_and_recent = (1 + LANES + FIRST_BLOCK - 1) as f64;
+        let instant_and_recent = (1 + RECENT) as f64;
         REAL * (levels + pairs * instant_and_recent)
     }
 
@@ -139,22 +142,36 @@ impl Kernels {
 
     /// The same of responses that are known to be a square, or nothing.
     pub(crate) fn of(taps: &[Vec<impl AsRef<[f64]>>]) -> Self {
+        let sites = taps.len();
         let pairs: Vec<&[f64]> = taps.iter().flatten().map(AsRef::as_ref).collect();
         let longest = pairs.iter().map(|taps| taps.len()).max().unwrap_or(0);
-        let levels = Partition::of(taps.len())
+        let mirrored = |pair: usize| (pair % sites) * sites + pair / sites;
+        let is_reciprocal = (0..pairs.len()).all(|pair| pairs[pair] == pairs[mirrored(pair)]);
+        let (mut kernel_of, mut kernels) = (vec![0; pairs.len()], Vec::new());
+        for (pair, taps) in pairs.iter().enumerate() {
+            kernel_of[pair] = if is_reciprocal && mirrored(pair) < pair {
+                kernel_of[mirrored(pair)]
+            } else {
+                kernels.push(*taps);
+                kernels.len() - 1
+            };
+        }
+        let levels = Partition::of(sites)
             .levels(longest)
-            .map(|(block, partitions)| Level::new(&pairs, block, partitions))
+            .map(|(block, partitions)| Level::new(&kernels, block, partitions))
             .collect();
-        let recent = |taps: &&[f64]| -> Vec<f64> {
-            let zeros = std::iter::repeat_n(0.0, LANES);
-            zeros
-                .chain((1..FIRST_BLOCK).map(|lag| tap(taps, lag)))
-                .collect()
-        };
+        let mut recent = vec![0.0; kernels.len() * RECENT];
+        for (recent, taps) in recent.chunks_exact_mut(RECENT).zip(&kernels) {
+            let recent = recent[LANES..].iter_mut().take(FIRST_BLOCK - 1);
+            for (lag, recent) in recent.enumerate() {
+                *recent = tap(taps, 1 + lag);
+            }
+        }
         Self {
-            sites: taps.len(),
+            sites,
+            kernel_of,
             instants: pairs.iter().map(|taps| tap(taps, 0)).collect(),
-            recent: pairs.iter().map(recent).collect(),
+            recent,
             levels,
             arch: Arch::new(),
         }

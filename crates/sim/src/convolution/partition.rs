@@ -7,6 +7,9 @@ pub const FIRST_BLOCK: usize = 64;
 /// has a multiple of them.
 pub(super) const LANES: usize = 8;
 
+/// Numbers that the taps of a first block take, with a lane of zeros before them.
+pub(super) const RECENT: usize = LANES + FIRST_BLOCK;
+
 /// From this many sites on, products of spectra, whose number grows as the square of that of the
 /// sites, take longer than transforms: more levels, which save products, are worth theirs.
 const MANY_SITES: usize = 8;

@@ -19,7 +19,7 @@ use linear::ResponseError;
 use pulp::{Simd, WithSimd};
 
 use super::kernels::{Kernels, join, split, transform};
-use super::partition::{FIRST_BLOCK, LANES};
+use super::partition::{FIRST_BLOCK, LANES, RECENT};
 use super::past::Past;
 
 /// The inputs of one case so far, in one plane or in two that share their
@@ -120,21 +120,23 @@ impl<'a> Convolution<'a> {
         let next = self.steps % FIRST_BLOCK + 1;
         // Whole lanes from where the next step is: those before it are over.
         let first = next - next % LANES;
-        let planes = inputs.chunks_exact(sites);
-        let known = self.past.known.chunks_exact_mut(sites * FIRST_BLOCK);
-        for (inputs, known) in planes.zip(known) {
-            for (input, &value) in inputs.iter().enumerate() {
-                if value == 0.0 {
-                    continue;
+        let recent = Recent {
+            kernels: self.kernels,
+            from: LANES - next % LANES,
+        };
+        for output in 0..sites {
+            let of_plane = |plane: usize| (plane * sites + output) * FIRST_BLOCK + first;
+            let count = FIRST_BLOCK - first;
+            match *inputs {
+                [] => {}
+                _ if self.planes == 1 => {
+                    let known = &mut self.past.known[of_plane(0)..][..count];
+                    recent.add::<S, 1>(simd, [known], output, inputs);
                 }
-                for (output, known) in known.chunks_exact_mut(FIRST_BLOCK).enumerate() {
-                    let taps = &self.kernels.recent[output * sites + input];
-                    add_scaled(
-                        simd,
-                        &mut known[first..],
-                        value,
-                        &taps[LANES - next % LANES..],
-                    );
+                _ => {
+                    let (one, other) = self.past.known.split_at_mut(of_plane(1));
+                    let known = [&mut one[of_plane(0)..][..count], &mut other[..count]];
+                    recent.add::<S, 2>(simd, known, output, inputs);
                 }
             }
         }
@@ -226,7 +228,8 @@ impl<'a> Convolution<'a> {
             let (mut some, mut count) = ([Term::default(); TOGETHER], 0);
             for (partition, input) in terms {
                 let newest = past.blocks - 1 - partition;
-                let pair = (output * sites + input) * plan.partitions + partition;
+                let kernel = self.kernels.kernel_of[output * sites + input];
+                let place = kernel * plan.partitions + partition;
                 let spectrum = |plane: usize| {
                     let place = newest * channels + plane * sites + input;
                     let is_there = plane < self.planes && past.is_active[place];
@@ -240,7 +243,7 @@ impl<'a> Convolution<'a> {
                     *is_zero &= input.is_none();
                 }
                 some[count] = Term {
-                    kernel: &plan.spectra[pair * stride..(pair + 1) * stride],
+                    kernel: &plan.spectra[place * stride..(place + 1) * stride],
                     inputs,
                 };
                 count += 1;
@@ -301,14 +304,70 @@ impl WithSimd for Multiply<'_, '_> {
     }
 }
 
-/// Adds a multiple of the values to whole lanes of sums.
-#[inline(always)]
-fn add_scaled<S: Simd>(simd: S, sums: &mut [f64], factor: f64, values: &[f64]) {
-    let factor = simd.splat_f64s(factor);
-    let (sums, _) = S::as_mut_simd_f64s(sums);
-    let (values, _) = S::as_simd_f64s(values);
-    for (sum, &value) in sums.iter_mut().zip(values) {
-        *sum = simd.add_f64s(*sum, simd.mul_f64s(factor, value));
+/// The first taps between all sites, as they are added to what is known of a block.
+struct Recent<'a> {
+    kernels: &'a Kernels,
+    /// Where those of a kernel begin that belong to the first lane.
+    from: usize,
+}
+
+impl Recent<'_> {
+    /// Adds what the inputs of all planes and sites make of one site to its sums in each plane. Sums stay in
+    /// registers while inputs are gone through, and taps are read once for all planes.
+    #[inline(always)]
+    fn add<S: Simd, const PLANES: usize>(
+        &self,
+        simd: S,
+        sums: [&mut [f64]; PLANES],
+        output: usize,
+        inputs: &[f64],
+    ) {
+        let mut lanes = sums.map(|sums| S::as_mut_simd_f64s(sums).0);
+        let count = lanes[0].len();
+        let mut done = 0;
+        while done + 4 <= count {
+            self.add_lanes::<S, PLANES, 4>(simd, &mut lanes, done, (output, inputs));
+            done += 4;
+        }
+        while done < count {
+            self.add_lanes::<S, PLANES, 1>(simd, &mut lanes, done, (output, inputs));
+            done += 1;
+        }
+    }
+
+    /// The same of some lanes of the sums.
+    #[inline(always)]
+    fn add_lanes<S: Simd, const PLANES: usize, const COUNT: usize>(
+        &self,
+        simd: S,
+        lanes: &mut [&mut [S::f64s]; PLANES],
+        done: usize,
+        (output, inputs): (usize, &[f64]),
+    ) {
+        let mut sums = [[simd.splat_f64s(0.0); COUNT]; PLANES];
+        for plane in 0..PLANES {
+            sums[plane].copy_from_slice(&lanes[plane][done..done + COUNT]);
+        }
+        let sites = self.kernels.sites;
+        let kernels = &self.kernels.kernel_of[output * sites..][..sites];
+        for input in 0..sites {
+            let taps = &self.kernels.recent[kernels[input] * RECENT + self.from..];
+            let taps = &S::as_simd_f64s(taps).0[done..done + COUNT];
+            for plane in 0..PLANES {
+                let input = inputs[plane * sites + input];
+                if input == 0.0 {
+                    continue;
+                }
+                let input = simd.splat_f64s(input);
+                for lane in 0..COUNT {
+                    let added = simd.mul_f64s(input, taps[lane]);
+                    sums[plane][lane] = simd.add_f64s(sums[plane][lane], added);
+                }
+            }
+        }
+        for plane in 0..PLANES {
+            lanes[plane][done..done + COUNT].copy_from_slice(&sums[plane]);
+        }
     }
 }
 
