@@ -45,6 +45,12 @@ impl Method {
         }
     }
 
+    /// Whether its responses are the same in both directions to the last digit. Those that are sampled
+    /// at zero frequency are so but for the rounding of what they are there.
+    pub fn is_reciprocal(&self) -> bool {
+        !matches!(self, Method::Hilbert(_) | Method::DirectIdft(_))
+    }
+
     /// The name used in files and on the command line.
     pub fn name(&self) -> &'static str {
         match self {

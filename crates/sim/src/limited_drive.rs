@@ -56,7 +56,7 @@ pub struct LimitedDrive {
 impl LimitedDrive {
     /// Bytes for responses of a number of taps.
     pub(crate) fn bytes(taps: usize) -> f64 {
-        Channel::<1, 1>::bytes_of_taps(PORTS, taps) + 2.0 * SurfaceResponse::bytes(taps)
+        Channel::<1, 1>::bytes_of_taps(PORTS, taps, false) + 2.0 * SurfaceResponse::bytes(taps)
     }
 
     /// Bytes of a case of a number of steps, and of its torques in them.

@@ -29,7 +29,7 @@
 //! ```
 
 use linear::budget::{Budget, Need, OutOfBudget, REAL, What};
-use linear::{ChannelResponses, Responses, SteppedPlan};
+use linear::{ChannelResponses, Method, Responses, SteppedPlan};
 
 use crate::laws::cutting::{CutStep, Face, MOST_PROFILES};
 use crate::limited_drive::LimitedDrive;
@@ -49,6 +49,8 @@ pub struct SimulatorPlan {
     bending: Option<(usize, usize)>,
     /// Taps of axial motion, where the bit cuts.
     axial: Option<usize>,
+    /// Whether its responses are known to be the same in both directions.
+    is_reciprocal: bool,
     /// Whether it lies in its hole.
     lies: bool,
     /// Taps at the surface, where the torque of its drive is limited.
@@ -106,7 +108,8 @@ impl SimulatorPlan {
         let plan = Self {
             axial: responses.axial().map(ChannelResponses::taps),
             ..Self::by_responses(responses.sites.len(), loads, taps, steps)
-        };
+        }
+        .by_method(&responses.method);
         match responses.bending() {
             None => plan,
             bending => {
@@ -140,6 +143,7 @@ impl SimulatorPlan {
             line,
             bending: None,
             axial: None,
+            is_reciprocal: false,
             lies: false,
             limited: None,
             steps,
@@ -160,6 +164,16 @@ impl SimulatorPlan {
     pub fn moving_along_by(self, taps: usize) -> Self {
         Self {
             axial: Some(taps),
+            ..self
+        }
+    }
+
+    /// The same of responses by a method: by most there are half as many where they are the same in
+    /// both directions.
+    #[must_use]
+    pub fn by_method(self, method: &Method) -> Self {
+        Self {
+            is_reciprocal: method.is_reciprocal(),
             ..self
         }
     }
@@ -189,13 +203,14 @@ impl SimulatorPlan {
     }
 
     fn need(&self) -> Need {
-        let bending =
-            (self.bending).map_or(0.0, |(sites, taps)| Bending::bytes_of_taps(sites, taps));
+        let bending = self.bending.map_or(0.0, |(sites, taps)| {
+            Bending::bytes_of_taps(sites, taps, self.is_reciprocal)
+        });
         let line = match self.line {
             Line::Taps { sites, loads, taps } => {
                 let others = REAL * (sites.saturating_sub(loads) * taps) as f64;
                 sites as f64 * SurfaceResponse::bytes(taps)
-                    + Torsion::bytes_of_taps(loads, taps)
+                    + Torsion::bytes_of_taps(loads, taps, self.is_reciprocal)
                     + if loads > 0 { others } else { 0.0 }
             }
             Line::Mesh {
@@ -209,7 +224,7 @@ impl SimulatorPlan {
         };
         let along = self
             .axial
-            .map(|taps| Torsion::bytes_of_taps(1, taps) + SurfaceResponse::bytes(taps));
+            .map(|taps| Torsion::bytes_of_taps(1, taps, true) + SurfaceResponse::bytes(taps));
         let alone = self.alone().map(|taps| BitAlone::need(taps, self.steps));
         let limited = self.limited.map_or(0.0, LimitedDrive::bytes);
         Need::lasting(line + bending + along.unwrap_or(0.0) + limited)

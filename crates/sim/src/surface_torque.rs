@@ -39,7 +39,7 @@ impl SurfaceTorque {
     /// # Errors
     /// Where that is more than is left.
     pub fn ask(sites: usize, taps: usize, budget: &Budget) -> Result<(), OutOfBudget> {
-        let bytes = sites as f64 * Kernels::bytes(1, taps) + SurfaceResponse::bytes(taps);
+        let bytes = sites as f64 * Kernels::bytes(1, taps, true) + SurfaceResponse::bytes(taps);
         budget.pass(Need::lasting(bytes), What::Simulator)
     }
 

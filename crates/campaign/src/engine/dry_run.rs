@@ -52,7 +52,7 @@ pub(super) fn ask_for_responses(
         Some(friction) => rubbing::ask(plan, friction, moves, budget)?,
         None => {
             let simulator = SimulatorPlan::by_responses(sites, loads, taps, plan.steps());
-            let mut simulator = moves(simulator);
+            let mut simulator = moves(simulator.by_method(plan.method));
             match plan.setting.drive_limit {
                 None => simulator.ask(budget)?,
                 Some(_) => simulator = limited::ask(plan, request, simulator, budget)?,

@@ -63,12 +63,8 @@ pub(super) fn ask(
     of_surface.ask(&passing)?;
     SurfaceTorque::ask(nodes, of_surface.taps(), budget)?;
     let taps = of_nodes.torsion_taps();
-    let simulator = moves(SimulatorPlan::by_responses(
-        nodes,
-        nodes,
-        taps,
-        plan.steps(),
-    ));
+    let by_responses = SimulatorPlan::by_responses(nodes, nodes, taps, plan.steps());
+    let simulator = moves(by_responses.by_method(method));
     simulator.ask(budget)?;
     Ok(Stepping {
         simulator,

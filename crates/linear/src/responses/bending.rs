@@ -297,14 +297,11 @@ impl<'a> BendingPlan<'a> {
 /// Two sites: output and input.
 type Pair = (usize, usize);
 
-/// Whether the responses of a method are the same in both directions to the last digit. Those that
-/// are sampled at zero frequency are so but for the rounding of what they are there.
+/// Whether the responses of a method are the same in both directions.
 pub(super) fn reciprocity(method: &Method) -> Reciprocity {
-    match method {
-        Method::Hilbert(_) | Method::DirectIdft(_) => Reciprocity::None,
-        Method::Held | Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
-            Reciprocity::Exact
-        }
+    match method.is_reciprocal() {
+        true => Reciprocity::Exact,
+        false => Reciprocity::None,
     }
 }
 

@@ -117,9 +117,13 @@ pub(super) fn join(parts: &[f64], spectrum: &mut [Complex64]) {
 }
 
 impl Kernels {
-    /// Bytes of the square of responses of a number of taps between a number of sites.
-    pub(crate) fn bytes(sites: usize, taps: usize) -> f64 {
-        let pairs = (sites * sites) as f64;
+    /// Bytes of the square of responses of a number of taps between a number of sites, the same in
+    /// both directions or not.
+    pub(crate) fn bytes(sites: usize, taps: usize, is_reciprocal: bool) -> f64 {
+        let pairs = match is_reciprocal {
+            true => sites * (sites + 1) / 2,
+            false => sites * sites,
+        } as f64;
         let of_level = |(block, partitions): (usize, usize)| {
             let spectra = pairs * (partitions * 2 * block) as f64;
             spectra + PLANS * block as f64

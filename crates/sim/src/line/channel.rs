@@ -57,9 +57,10 @@ pub(crate) struct MeshPast<'a, const FREEDOMS: usize, const PLANES: usize> {
 }
 
 impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
-    /// Bytes of responses of a number of taps between a number of sites.
-    pub(crate) fn bytes_of_taps(sites: usize, taps: usize) -> f64 {
-        Kernels::bytes(sites, taps) + Self::instant_bytes(sites)
+    /// Bytes of responses of a number of taps between a number of sites, the same in both directions
+    /// or not.
+    pub(crate) fn bytes_of_taps(sites: usize, taps: usize, is_reciprocal: bool) -> f64 {
+        Kernels::bytes(sites, taps, is_reciprocal) + Self::instant_bytes(sites)
     }
 
     /// Bytes without those of a mesh.

@@ -80,7 +80,7 @@ impl<const PORTS: usize> Responses<PORTS> {
     pub(super) fn bytes(taps: usize, sums: Sums) -> f64 {
         match sums {
             Sums::Direct => REAL * (Self::COUNT * taps) as f64,
-            Sums::ByBlocks => Kernels::bytes(PORTS, taps),
+            Sums::ByBlocks => Kernels::bytes(PORTS, taps, false),
         }
     }
 
