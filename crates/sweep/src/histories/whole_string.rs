@@ -85,14 +85,19 @@ pub fn string_picture(
             .collect(),
         is_difference: false,
     };
-    let mut list = vec![panel("Depth ξ", 0.0)];
-    let whole_length = sweep.setting.string.length();
+    let string = &sweep.setting.string;
+    let (whole_length, bends) = (string.length(), string.bending_length());
+    let mut list = vec![panel("Depth ξ", whole_length - bends)];
     let reach = sweep.setting.sites.distances_from_bit()[0];
-    if reach > 0.0 && reach < APART * whole_length {
+    if reach > 0.0 && reach < APART * bends {
         let from = whole_length - (1.0 + SHOWN_ABOVE) * reach;
         list.push(panel("Depth ξ around the sites", from));
     }
-    panels(look, &format!("{}: the whole string", sweep.title), &list)
+    let shown = match bends < whole_length {
+        true => "what is modelled sideways",
+        false => "the whole string",
+    };
+    panels(look, &format!("{}: {shown}", sweep.title), &list)
 }
 
 /// Depths from one on and values there, m, in units of lengths and of widths.

@@ -34,6 +34,8 @@ pub enum ModeFamily {
     BetweenHeld(Vec<f64>),
     /// The whole string in bending, as the surface holds it.
     Bending(SurfaceSupport),
+    /// What is below a place (m from the bit) above which it is held sideways.
+    BelowHeld(f64),
 }
 
 impl ModeFamily {
@@ -43,7 +45,7 @@ impl ModeFamily {
             Self::Torsion => "torsion",
             Self::Axial(_) => "axial",
             Self::BetweenHeld(_) => "bending_between_sites",
-            Self::Bending(_) => "bending",
+            Self::Bending(_) | Self::BelowHeld(_) => "bending",
         }
     }
 
@@ -54,6 +56,7 @@ impl ModeFamily {
             Self::Axial(_) => "along the axis",
             Self::BetweenHeld(_) => "bending between the sites",
             Self::Bending(_) => "bending of the whole string",
+            Self::BelowHeld(_) => "bending, without its wall",
         }
     }
 
@@ -64,6 +67,7 @@ impl ModeFamily {
             Self::Axial(_) => "along the axis",
             Self::BetweenHeld(_) => "between the sites",
             Self::Bending(_) => "whole string",
+            Self::BelowHeld(_) => "without its wall",
         }
     }
 
@@ -73,7 +77,7 @@ impl ModeFamily {
             Self::Torsion | Self::Axial(None) | Self::Bending(SurfaceSupport::Clamped) => 0,
             Self::Axial(Some(_)) => 1,
             Self::BetweenHeld(places) => usize::from(places.len() == 1),
-            Self::Bending(SurfaceSupport::Pinned) => 1,
+            Self::Bending(SurfaceSupport::Pinned) | Self::BelowHeld(_) => 1,
             Self::Bending(SurfaceSupport::Free) => 2,
         }
     }
@@ -127,6 +131,7 @@ impl Serialize for ModeFamily {
         map.serialize_entry("motion", self.name())?;
         match self {
             Self::BetweenHeld(places) => map.serialize_entry("held_from_bit_m", places)?,
+            Self::BelowHeld(place) => map.serialize_entry("held_above_from_bit_m", place)?,
             Self::Axial(Some(mass)) => map.serialize_entry("hanging_mass_kg", mass)?,
             _ => {}
         }
@@ -159,7 +164,11 @@ pub fn find(sweep: &Sweep, count: usize, excitation: &Excitation) -> Result<Vec<
             found.push(modes(of, &natural, count, excitation)?);
         }
         let natural = NaturalFrequencies::bending(string, bending, lateral.support)?;
-        let of = ModeFamily::Bending(lateral.support);
+        let bends = string.bending_length();
+        let of = match bends < string.length() {
+            true => ModeFamily::BelowHeld(bends),
+            false => ModeFamily::Bending(lateral.support),
+        };
         found.push(modes(of, &natural, count, excitation)?);
     }
     Ok(found)

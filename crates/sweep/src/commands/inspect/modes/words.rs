@@ -51,6 +51,10 @@ fn held(of: &ModeFamily, units: Units) -> String {
             format!("hanging from its hoist, with {} kg", short(*mass))
         }
         ModeFamily::Bending(of_surface) => support(*of_surface).to_owned(),
+        ModeFamily::BelowHeld(place) => {
+            let place = units.of(&LENGTH).text(*place, 1);
+            format!("held {place} from the bit, and above")
+        }
         ModeFamily::BetweenHeld(places) => {
             let length = units.of(&LENGTH);
             let places = places.iter().map(|place| short(length.number(*place)));
