@@ -118,6 +118,31 @@ fn sites_of_a_longer_string_are_refused_on_a_shorter_one() {
     assert_eq!(found, Err(BuildError::Sites(off)));
 }
 
+#[test]
+fn sites_where_a_string_is_held_and_places_off_it_are_refused() {
+    let string = string(10);
+    let length = string.length();
+    for distance in [0.0, -1.0, length, 2.0 * length, f64::NAN] {
+        let found = string.clone().held_above(distance);
+        assert!(
+            matches!(found, Err(DrillstringError::HeldOffString { .. })),
+            "{distance}"
+        );
+    }
+    let bends = 0.5 * length;
+    let held = string.held_above(bends).unwrap();
+    for distance in [bends, bends + 1.0, 0.99 * length] {
+        let sites = Sites::new(&held, &[distance, 0.0]).unwrap();
+        let network = BendingNetwork::new(&held, BENDING, SurfaceSupport::Pinned, &sites);
+        let refused = DrillstringError::SiteHeld { distance, bends };
+        assert_eq!(network.map(|_| ()), Err(refused.clone()));
+        for method in methods() {
+            let found = responses(&held, &method, &request(sites.clone(), vec![IN_BENDING()]));
+            assert_eq!(found, Err(BuildError::Sites(refused.clone())));
+        }
+    }
+}
+
 fn whole<'a>(string: &'a Drillstring, sites: &'a Sites) -> WholeString<'a> {
     WholeString {
         string,

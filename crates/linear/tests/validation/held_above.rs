@@ -6,8 +6,8 @@ use linear::elements::reconstruction::WholeString;
 use linear::method::{FiniteElement, Transform};
 use linear::natural_frequencies::NaturalFrequencies;
 use linear::{
-    AxialForce, Bending, ChannelRequest, Drillstring, DrillstringError, Hole, HoleSection,
-    Material, Method, Mud, Request, Section, Sites, SurfaceSupport, Tube,
+    AxialForce, Bending, ChannelRequest, Drillstring, Hole, HoleSection, Material, Method, Mud,
+    Request, Section, Sites, SurfaceSupport, Tube,
 };
 
 const STEEL: Material = Material {
@@ -116,7 +116,7 @@ fn taps(string: &Drillstring, method: &Method, channel: ChannelRequest) -> Vec<V
 }
 
 #[test]
-fn a_string_held_above_a_place_bends_as_one_that_ends_there() {
+fn val_a_string_held_above_a_place_bends_as_one_that_ends_there() {
     let (held, cut) = (held(), cut());
     assert!((cut.length() - held.bending_length()).abs() < 1e-9);
     for support in [
@@ -170,7 +170,7 @@ fn a_string_held_above_a_place_bends_as_one_that_ends_there() {
 
 /// Between its sites, too: depths are those of the whole string.
 #[test]
-fn what_moves_between_sites_of_a_held_string_is_below_where_it_is_held() {
+fn val_what_moves_between_sites_of_a_held_string_is_below_where_it_is_held() {
     let shape = |string: &Drillstring| {
         let whole = WholeString {
             string,
@@ -201,7 +201,7 @@ fn what_moves_between_sites_of_a_held_string_is_below_where_it_is_held() {
 }
 
 #[test]
-fn a_string_held_above_a_place_turns_as_a_whole() {
+fn val_a_string_held_above_a_place_turns_as_a_whole() {
     let whole = above_collars(None, 30, [245.0, 100.0]);
     let held = held();
     assert_ne!(whole.id(), held.id());
@@ -211,27 +211,5 @@ fn a_string_held_above_a_place_turns_as_a_whole() {
             taps(string, &method, ChannelRequest::Torsion { torques })
         };
         assert_eq!(turns(&whole), turns(&held), "{}", method.name());
-    }
-}
-
-#[test]
-fn sites_where_it_is_held_and_places_off_the_string_are_refused() {
-    let string = above_collars(None, 30, [245.0, 100.0]);
-    let length = string.length();
-    for distance in [0.0, -1.0, length, 2.0 * length, f64::NAN] {
-        let found = string.clone().held_above(distance);
-        assert!(
-            matches!(found, Err(DrillstringError::HeldOffString { .. })),
-            "{distance}"
-        );
-    }
-    let held = held();
-    for distance in [HELD, HELD + 1.0, 0.99 * length] {
-        let sites = Sites::new(&held, &[distance, 0.0]).unwrap();
-        let support = SurfaceSupport::Pinned;
-        let network = linear::waves::lateral::BendingNetwork::new(&held, BENDING, support, &sites)
-            .map(|_| ());
-        let bends = held.bending_length();
-        assert_eq!(network, Err(DrillstringError::SiteHeld { distance, bends }));
     }
 }
