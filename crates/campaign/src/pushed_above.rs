@@ -6,8 +6,8 @@ use serde::Serialize;
 use statics::closed_forms::buckling::of_lying_string;
 
 use crate::engine::Clearances;
-use crate::plan::{Conditions, Setting, Sweep};
-use crate::quantities::{Axis, FORCE, LENGTH, Units};
+use crate::plan::{Conditions, Setting};
+use crate::quantities::{FORCE, LENGTH, Units};
 
 /// Joints weigh on pipe from as far off, m: half a cell of drillpipe.
 const JOINTS_WITHIN: f64 = 5.0;
@@ -35,19 +35,17 @@ impl PushedAbove {
         let clearances = Clearances::around(setting, conditions, sites)?;
         let all = lying.along(&setting.string, (lateral, conditions));
         let bears = |it: &PressedLength| {
-            let near = |other: &&PressedLength| (other.depth - it.depth).abs() <= JOINTS_WITHIN;
-            let sums = all
-                .iter()
-                .filter(near)
-                .fold([0.0; 2], |[load, length], other| {
-                    [load + other.load * other.length, length + other.length]
-                });
+            let [from, to] = [-JOINTS_WITHIN, JOINTS_WITHIN]
+                .map(|off| all.partition_point(|other| other.depth < it.depth + off));
+            let (pressing, long) = (all[from..to].iter())
+                .map(|other| (other.load * other.length, other.length))
+                .fold((0.0, 0.0), |sum, it| (sum.0 + it.0, sum.1 + it.1));
             let [(section, part), _] = setting.string.parts_around(length - it.depth);
             let tube = setting.string.sections()[section].parts[part];
             // Pipe lies on its joints.
             let clearance = clearances.at(it.depth)? + tube.outer_radius - it.radius;
             let rigidity = lateral.bending.youngs_modulus * tube.second_moment();
-            (clearance > 0.0).then(|| of_lying_string(rigidity, sums[0] / sums[1], clearance))
+            (clearance > 0.0).then(|| of_lying_string(rigidity, pressing / long, clearance))
         };
         let above = all.partition_point(|it| length - it.depth > modelled);
         let above = &all[..above];
@@ -65,16 +63,6 @@ impl PushedAbove {
             pushed_kn: -1e-3 * most.tension,
             bears_kn: 1e-3 * bears,
         })
-    }
-
-    /// Of the string of a sweep under its greatest weight on bit.
-    pub fn in_sweep(sweep: &Sweep) -> Option<Self> {
-        let axis = Axis::WeightOnBitKn;
-        let conditions = match sweep.design.ends(axis) {
-            Some([_, most]) => sweep.conditions.with(axis, most),
-            None => sweep.conditions.clone(),
-        };
-        Self::of(&sweep.setting, &conditions)
     }
 
     /// What it does, and what helps, in units.

@@ -39,7 +39,7 @@ pub fn static_string<'py>(
     let campaign = Arc::clone(&sweep.campaign);
     let found = wait_for(py, move || {
         let plan = &campaign.sweep;
-        StaticString::of(&plan.setting, &plan.conditions, bit)
+        StaticString::of(&plan.setting, &plan.under_greatest_weight(), bit)
     })?;
     let Some(string) = found.transpose().map_err(|error| sweep.about_file(error))? else {
         return Ok(None);

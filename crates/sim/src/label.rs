@@ -70,7 +70,7 @@ impl Label {
         }
     }
 
-    /// Whether it is less than sustained vibration, and more than none ([`Motion::less`]).
+    /// Whether it is less than sustained vibration, and more than none ([`Motion::lesser_regime`]).
     pub fn is_lesser(self) -> bool {
         self == Label::Lateral(LateralRegime::Snaking)
     }

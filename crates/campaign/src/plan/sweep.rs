@@ -227,6 +227,15 @@ impl Sweep {
         self.conditions.along(self.design.axes(), values)
     }
 
+    /// The conditions of the file, under the greatest weight on bit of the design where that is an axis.
+    pub fn under_greatest_weight(&self) -> Conditions {
+        let axis = Axis::WeightOnBitKn;
+        match self.design.ends(axis) {
+            Some([_, most]) => self.conditions.with(axis, most),
+            None => self.conditions.clone(),
+        }
+    }
+
     /// The setting of a case with the given values along the design's axes.
     ///
     /// # Errors

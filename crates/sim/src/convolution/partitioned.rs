@@ -127,17 +127,13 @@ impl<'a> Convolution<'a> {
         for output in 0..sites {
             let of_plane = |plane: usize| (plane * sites + output) * FIRST_BLOCK + first;
             let count = FIRST_BLOCK - first;
-            match *inputs {
-                [] => {}
-                _ if self.planes == 1 => {
-                    let known = &mut self.past.known[of_plane(0)..][..count];
-                    recent.add::<S, 1>(simd, [known], output, inputs);
-                }
-                _ => {
-                    let (one, other) = self.past.known.split_at_mut(of_plane(1));
-                    let known = [&mut one[of_plane(0)..][..count], &mut other[..count]];
-                    recent.add::<S, 2>(simd, known, output, inputs);
-                }
+            if self.planes == 1 {
+                let known = &mut self.past.known[of_plane(0)..][..count];
+                recent.add::<S, 1>(simd, [known], output, inputs);
+            } else {
+                let (one, other) = self.past.known.split_at_mut(of_plane(1));
+                let known = [&mut one[of_plane(0)..][..count], &mut other[..count]];
+                recent.add::<S, 2>(simd, known, output, inputs);
             }
         }
     }

@@ -55,10 +55,11 @@ pub fn warn_of_limits(sweep: &Sweep, terminal: Terminal) {
 /// Warns of a string that lies in its hole on so few sites that it does not stay within its wall, or
 /// that they end where it snakes.
 pub fn warn_of_few_sites(sweep: &Sweep, terminal: Terminal) {
-    if let Some(pushed) = PushedAbove::in_sweep(sweep) {
+    let conditions = sweep.under_greatest_weight();
+    if let Some(pushed) = PushedAbove::of(&sweep.setting, &conditions) {
         terminal.complain(&format!("warning: {}", pushed.words(sweep.content.units)));
     }
-    if let Some(beyond) = BeyondWall::far(&sweep.setting, &sweep.conditions) {
+    if let Some(beyond) = BeyondWall::far(&sweep.setting, &conditions) {
         let words = beyond.words(sweep.content.units);
         terminal.complain(&format!("warning: at rest the string goes {words}"));
     }

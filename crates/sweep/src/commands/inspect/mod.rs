@@ -101,7 +101,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         pictures.push(shown("top_drive"));
     }
     let bit = arguments.bit.map(Into::into);
-    let lying = match StaticString::of(&sweep.setting, &sweep.conditions, bit) {
+    let lying = match StaticString::of(&sweep.setting, &sweep.under_greatest_weight(), bit) {
         None => None,
         Some(Err(error)) => Some(InspectedLying::Refused {
             error: error.to_string(),
