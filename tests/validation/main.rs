@@ -9,6 +9,7 @@ mod on_bottom;
 mod paper_lateral;
 mod paper_torsion;
 mod recorded_well;
+mod rows;
 mod string_friction;
 mod surface_torque;
 mod top_drive;

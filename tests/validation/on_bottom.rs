@@ -1,6 +1,6 @@
 //! The shipped assembly on bottom in an inclined well: what its bit does decides what it does on the low side.
 
-use super::string_friction::{number, rows};
+use super::rows::{number, rows, word};
 use crate::support::Workplace;
 
 /// Its file, by both of its methods, at two weights: below its limit of stick-slip, and above.
@@ -22,15 +22,12 @@ fn val_an_assembly_snakes_where_its_bit_sticks_and_slips() {
     let rows = rows(&labels);
     assert_eq!(rows.len(), 4);
     for row in rows {
-        let word = |column: &str| {
-            let cell = row.iter().find(|(name, _)| name == column);
-            cell.unwrap().1.clone()
-        };
         let (expected, swings) = match number(&row, "weight_on_bit_kn") {
             100.0 => (["smooth", "low_side"], 0.0..0.01),
             _ => (["stick_slip", "snaking"], 5.0..30.0),
         };
-        assert_eq!([word("torsion"), word("lateral")], expected, "{labels}");
+        let found = ["torsion", "lateral"].map(|column| word(&row, column));
+        assert_eq!(found, expected, "{labels}");
         assert!(swings.contains(&number(&row, "swing_deg")), "{labels}");
     }
 }

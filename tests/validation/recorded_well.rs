@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use super::string_friction::{number, rows};
+use super::rows::{Row, number, rows, word};
 use crate::support::Workplace;
 
 /// A file shipped.
@@ -13,7 +13,7 @@ fn shipped(name: &str) -> String {
 }
 
 /// One simulated case of a shipped file.
-fn simulated(name: &str, more: &[&str]) -> Vec<(String, String)> {
+fn simulated(name: &str, more: &[&str]) -> Row {
     let place = Workplace::new();
     let file = shipped(name);
     let arguments = [&["simulate", &file, "--out", "out"], more].concat();
@@ -110,12 +110,17 @@ fn val_three_methods_agree_with_friction_a_drive_and_a_wall() {
         });
         cases.collect::<Vec<_>>()[method]
     };
+    // What turning takes per coefficient of friction.
+    let output = here.sweep(&["inspect", "few.toml", "--json"]);
+    let inspected: serde_json::Value = serde_json::from_str(&output.output).unwrap();
+    let well = &inspected["well"];
+    let per_friction = 1e3 * well["torque_to_turn_off_bottom_knm"].as_f64().unwrap();
     for method in 0..3 {
         for weight in [40.0, 90.0] {
             for (speed, regime) in [(80.0, "stick_slip"), (240.0, "smooth")] {
                 let row = of(method, speed, weight);
-                let found = row.iter().find(|(name, _)| name == "torsion").unwrap();
-                assert_eq!(found.1, regime, "{method} {speed} {weight}");
+                let found = word(row, "torsion");
+                assert_eq!(found, regime, "{method} {speed} {weight}");
             }
         }
         let [light, heavy] = [40.0, 90.0].map(|weight| of(method, 240.0, weight));
@@ -125,10 +130,9 @@ fn val_three_methods_agree_with_friction_a_drive_and_a_wall() {
             (arrives / acts - 1.0).abs() < 0.02,
             "{method}: {arrives} {acts}"
         );
-        // Mud between the string and its hole, turned evenly, and 13.8 kN m of friction: 0.3190 of what
-        // presses (`sweep inspect`, 43.34 kN m).
+        // Mud between the string and its hole, turned evenly, and 13.8 kN m of friction.
         let damping = mud_turned_evenly() * 240.0 * std::f64::consts::TAU / 60.0;
-        let friction = 0.452_965_1 * 0.704_196_6 * 43_340.0;
+        let friction = 0.452_965_1 * 0.704_196_6 * per_friction;
         let expected = number(light, "torque_dynamic_nm") + friction + damping;
         let found = number(light, "surface_torque_mean_nm");
         assert!(

@@ -1,24 +1,8 @@
 //! Friction along the string as a user meets it: what turning takes, interrupted runs, and files that
 //! are wrong.
 
+use super::rows::{number, rows};
 use crate::support::{Answer, Workplace};
-
-/// Rows of a CSV file, by the names of its columns.
-pub fn rows(text: &str) -> Vec<Vec<(String, String)>> {
-    let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned));
-    let header: Vec<String> = lines.next().unwrap().collect();
-    lines
-        .map(|row| header.iter().cloned().zip(row).collect())
-        .collect()
-}
-
-pub fn number(row: &[(String, String)], column: &str) -> f64 {
-    let cell = row.iter().find(|(name, _)| name == column);
-    cell.unwrap_or_else(|| panic!("no {column}"))
-        .1
-        .parse()
-        .unwrap()
-}
 
 /// A small sweep over friction, and its files.
 fn place(sweep: &str) -> Workplace {
