@@ -412,3 +412,30 @@ fn a_string_that_snakes_above_its_sites_is_warned_of() {
     let from = found["from_bit_m"][0].as_f64().unwrap();
     assert!((25.0..30.0).contains(&from), "{found}");
 }
+
+/// Elements that are stepped need no springs, but what is asked of their responses does: by them a string
+/// that buckles without its walls was refused as one that chatters.
+#[test]
+fn a_string_on_many_sites_that_buckles_without_its_wall_is_stepped_by_elements() {
+    let many = "sites = \"ends\"\nsites_every_m = 1.5\nsites_to_m = 60";
+    let bit = "[bit]\nrock = \"sandstone\"\nweight_on_bit_kn = 300\n[well]";
+    let text = LYING
+        .replace("sites = \"ends\"", many)
+        .replace("[well]", bit)
+        .replace(
+            "[\"finite-element\"]",
+            "[\"finite-element\", \"quadrature\"]",
+        );
+    let place = Workplace::with_small(&(text + DESIGN));
+    let inspected = place.answer(&["inspect", "small.toml", "--json"]);
+    let found: Value = serde_json::from_str(&inspected.output).unwrap();
+    assert_eq!(found["lying"]["buckles_without_contacts"], true);
+    assert!(found["lying"]["sites"].as_u64().unwrap() > 40);
+    // After a second it still swings.
+    let rows = rows_of(&place);
+    assert_eq!(rows.len(), 4);
+    for pair in rows.chunks(2) {
+        let [stepped, by_taps] = [&pair[0], &pair[1]].map(|row| row("climb_deg"));
+        assert!((stepped - by_taps).abs() < 0.1, "{stepped} {by_taps}");
+    }
+}

@@ -57,6 +57,9 @@ pub struct SteppedString {
     surface: SurfaceElement,
     torsion: SteppedChannel<1, 1>,
     bending: SteppedChannel<2, 2>,
+    /// The same in bending, held by the springs of its sites, where there are any: without them
+    /// responses of a string that buckles grow for ever.
+    held: Option<SteppedChannel<2, 2>>,
 }
 
 /// The same before it is divided.
@@ -99,8 +102,9 @@ impl<'a> SteppedPlan<'a> {
     /// Memory that building takes, and what it keeps.
     fn need(&self) -> Need {
         let ([turned, bent], sites) = (self.nodes, self.sites.len());
+        let times = if has_springs(self.sites) { 2.0 } else { 1.0 };
         let kept = SteppedChannel::<1, 1>::bytes(self.string, turned, sites)
-            + SteppedChannel::<2, 2>::bytes(self.string, bent, sites);
+            + times * SteppedChannel::<2, 2>::bytes(self.string, bent, sites);
         Need {
             peak: kept + assembled_bytes(self.string, turned.max(bent)),
             kept,
@@ -154,9 +158,12 @@ impl<'a> SteppedPlan<'a> {
         } = *self;
         let working = budget.begin(self.need(), What::Elements)?;
         let (torsion, surface) = turned(string, sites, parameters, frequency)?;
-        // Elements that are stepped need no springs.
-        let free = sites.without_springs();
-        let (bending, _) = bent(string, bending, support, &free, parameters, frequency)?;
+        // Elements that are stepped need no springs, their responses do.
+        let bent = |sites: &Sites| -> Result<SteppedChannel<2, 2>, BuildError> {
+            Ok(bent(string, bending, support, sites, parameters, frequency)?.0)
+        };
+        let held = has_springs(sites).then(|| bent(sites)).transpose()?;
+        let bending = bent(&sites.without_springs())?;
         working.done();
         Ok(SteppedString {
             string: string.id(),
@@ -166,8 +173,14 @@ impl<'a> SteppedPlan<'a> {
             surface,
             torsion,
             bending,
+            held,
         })
     }
+}
+
+/// Whether springs hold any of the sites.
+fn has_springs(sites: &Sites) -> bool {
+    sites.springs().iter().any(|spring| *spring > 0.0)
 }
 
 /// Taps of responses that are as long as a simulation (s).
@@ -214,7 +227,8 @@ impl SteppedString {
     }
 
     /// The responses of all sites from the surface and from loads at some of the sites, by
-    /// number, as long as a simulation; without any, those in torsion alone.
+    /// number, as long as a simulation; without any, those in torsion alone. In bending they are those of a
+    /// string that the springs of its sites hold.
     ///
     /// # Errors
     /// Where a site does not exist, or the responses would be too long.
@@ -252,7 +266,7 @@ impl SteppedString {
             channel: Channel::Bending,
             loads: loads.to_vec(),
             from_surface: Vec::new(),
-            from_loads: from_loads(&self.bending, loads, count),
+            from_loads: from_loads(self.held.as_ref().unwrap_or(&self.bending), loads, count),
             ending: Ending::Cut,
         });
         Ok(Responses {
