@@ -402,7 +402,7 @@ fn a_string_that_snakes_above_its_sites_is_warned_of() {
         .as_f64()
         .unwrap();
     let above = |part: f64| inspected(4.0, 25.0, part * snakes)["snakes_above"].clone();
-    assert!(above(0.9).is_null());
+    assert!(above(0.95).is_null());
     let found = above(1.05);
     let [pushed, bears] = ["pushed_kn", "bears_kn"].map(|key| found[key].as_f64().unwrap());
     assert!(

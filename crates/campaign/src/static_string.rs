@@ -6,8 +6,8 @@ use statics::{Bit, Contact, ContactState, LyingString, Place, StaticState, Stati
 
 use crate::engine::Clearances;
 use crate::plan::{Conditions, Setting};
-use crate::pushed_above::PushedAbove;
 use crate::quantities::{LENGTH, Units, WIDTH};
+use crate::snaking_above::SnakingAbove;
 
 /// No weight on bit is larger, N.
 const MOST_WEIGHT: f64 = 5e6;
@@ -41,7 +41,7 @@ pub struct StaticString {
     /// Where the string goes farthest beyond its wall between its sites.
     beyond: Option<BeyondWall>,
     /// Where it snakes above what is modelled, if it does.
-    above: Option<PushedAbove>,
+    above: Option<SnakingAbove>,
     /// How long the string is, m.
     length: f64,
 }
@@ -65,7 +65,7 @@ pub struct AtRest {
     /// Where it goes farthest beyond its wall between its sites, if it does.
     pub beyond_wall: Option<BeyondWall>,
     /// Where it snakes above what is modelled, if it does.
-    pub snakes_above: Option<PushedAbove>,
+    pub snakes_above: Option<SnakingAbove>,
     /// Of the bit on the rock, to the high side and to the right looking down.
     pub side_force_of_bit_kn: [f64; 2],
     /// Of the bit to the axis of the hole, towards the same.
@@ -170,7 +170,7 @@ impl StaticString {
                 weight_on_bit_kn: conditions.weight_on_bit_kn.unwrap_or(0.0),
                 length: setting.string.length(),
                 beyond: BeyondWall::of(setting, conditions, &state),
-                above: PushedAbove::of(setting, conditions),
+                above: SnakingAbove::of(setting, conditions),
                 state,
             })
         };

@@ -61,7 +61,7 @@ pub fn _symbols_of_cases(
             .is_some_and(|it| it[rows.clone()].contains(&Some(true)));
         let found = FoundByMethods::of(labels[rows.clone()].iter().copied());
         let symbol =
-            found.map(|it| Symbol::of_methods([it.sustained, it.bistable, it.lesser], it.methods));
+            found.map(|it| Symbol::of_methods([it.sustained, it.bistable, it.snaking], it.methods));
         let drawn = symbol.map(|it| if is_certain { it.filled() } else { it });
         (rows.start, drawn.map(name_of))
     });

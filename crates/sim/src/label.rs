@@ -70,8 +70,8 @@ impl Label {
         }
     }
 
-    /// Whether it is less than sustained vibration, and more than none ([`Motion::lesser_regime`]).
-    pub fn is_lesser(self) -> bool {
+    /// Whether it is snaking: less than sustained vibration, more than none ([`Motion::lesser_regime`]).
+    pub fn is_snaking(self) -> bool {
         self == Label::Lateral(LateralRegime::Snaking)
     }
 }

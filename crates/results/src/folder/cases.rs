@@ -28,8 +28,8 @@ pub struct FoundByMethods {
     pub sustained: usize,
     /// That the start decides.
     pub bistable: usize,
-    /// Less than sustained vibration.
-    pub lesser: usize,
+    /// Snaking, which is less than sustained vibration.
+    pub snaking: usize,
     /// Methods.
     pub methods: usize,
 }
@@ -40,14 +40,14 @@ impl FoundByMethods {
         let mut found = Self {
             sustained: 0,
             bistable: 0,
-            lesser: 0,
+            snaking: 0,
             methods: 0,
         };
         for label in labels {
             let label = label?;
             found.sustained += usize::from(label.is_sustained()?);
             found.bistable += usize::from(label == BISTABLE);
-            found.lesser += usize::from(label.is_lesser());
+            found.snaking += usize::from(label.is_snaking());
             found.methods += 1;
         }
         Some(found)

@@ -300,6 +300,9 @@ impl WithSimd for Multiply<'_, '_> {
     }
 }
 
+/// Lanes of sums that stay in registers.
+const LANES_AT_ONCE: usize = 4;
+
 /// The first taps between all sites, as they are added to what is known of a block.
 struct Recent<'a> {
     kernels: &'a Kernels,
@@ -321,9 +324,10 @@ impl Recent<'_> {
         let mut lanes = sums.map(|sums| S::as_mut_simd_f64s(sums).0);
         let count = lanes[0].len();
         let mut done = 0;
-        while done + 4 <= count {
-            self.add_lanes::<S, PLANES, 4>(simd, &mut lanes, done, (output, inputs));
-            done += 4;
+        while done + LANES_AT_ONCE <= count {
+            let place = (output, inputs);
+            self.add_lanes::<S, PLANES, LANES_AT_ONCE>(simd, &mut lanes, done, place);
+            done += LANES_AT_ONCE;
         }
         while done < count {
             self.add_lanes::<S, PLANES, 1>(simd, &mut lanes, done, (output, inputs));

@@ -4,8 +4,8 @@ use super::terminal::Terminal;
 use crate::cli::MemoryArguments;
 use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
-use campaign::pushed_above::PushedAbove;
 use campaign::quantities::Axis;
+use campaign::snaking_above::SnakingAbove;
 use campaign::static_string::BeyondWall;
 use campaign::words::counted;
 use limits::MOST_SITES;
@@ -56,7 +56,7 @@ pub fn warn_of_limits(sweep: &Sweep, terminal: Terminal) {
 /// that they end where it snakes.
 pub fn warn_of_few_sites(sweep: &Sweep, terminal: Terminal) {
     let conditions = sweep.under_greatest_weight();
-    if let Some(pushed) = PushedAbove::of(&sweep.setting, &conditions) {
+    if let Some(pushed) = SnakingAbove::of(&sweep.setting, &conditions) {
         terminal.complain(&format!("warning: {}", pushed.words(sweep.content.units)));
     }
     if let Some(beyond) = BeyondWall::far(&sweep.setting, &conditions) {

@@ -10,7 +10,7 @@ use results::folder::CaseRows;
 pub fn symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
     let found = case.found(motion)?;
     Some(Symbol::of_methods(
-        [found.sustained, found.bistable, found.lesser],
+        [found.sustained, found.bistable, found.snaking],
         found.methods,
     ))
 }

@@ -14,7 +14,7 @@ const JOINTS_WITHIN: f64 = 5.0;
 
 /// Where a string snakes above what is modelled of it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct PushedAbove {
+pub struct SnakingAbove {
     /// The lowest and the highest place where it does.
     pub from_bit_m: [f64; 2],
     /// What it is pushed with where that is farthest beyond what it bears.
@@ -23,7 +23,7 @@ pub struct PushedAbove {
     pub bears_kn: f64,
 }
 
-impl PushedAbove {
+impl SnakingAbove {
     /// Of the string of a setting under conditions, if it snakes there.
     pub fn of(setting: &Setting, conditions: &Conditions) -> Option<Self> {
         let modelled = setting.string.bending_length();
