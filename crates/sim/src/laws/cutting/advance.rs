@@ -1,8 +1,6 @@
 //! The axial part of a step: the one rate of penetration that meets the load line, at a given
 //! rotation speed.
 
-use super::face::MOST_PROFILES;
-
 /// What a step leaves open along the axis: the bit goes down at `free_speed − compliance × weight`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxialLine {
@@ -81,12 +79,8 @@ impl Grip {
             within,
             ..
         } = *axial;
-        let share = 1.0 / gaps.len() as f64;
-        let mean =
-            |of: &dyn Fn(f64) -> f64| -> f64 { gaps.iter().map(|gap| share * of(gap.depth)).sum() };
-        let cut = mean(&|depth| depth.max(0.0));
-        let resting = self.weight * cut;
-        let on_flats = mean(&|depth| self.on_flats(depth));
+        let resting = self.weight * mean(gaps, |gap| gap.depth.max(0.0));
+        let on_flats = mean(gaps, |gap| self.on_flats(gap.depth));
         let taken = free_speed / compliance;
         let rate = if taken > resting + on_flats {
             self.down(axial, gaps)
@@ -106,24 +100,24 @@ impl Grip {
         } else {
             self.change(axial, gaps, rate)
         };
-        let touching = |gap: &&Gap| gap.depth + within * rate > 0.0;
-        let sum = |of: &dyn Fn(&Gap) -> f64| -> f64 {
-            gaps.iter()
-                .filter(touching)
-                .map(|gap| share * of(gap))
-                .sum()
+        let advance = within * rate;
+        let of_touching = |of: f64, gap: &Gap| match gap.depth + advance > 0.0 {
+            true => of,
+            false => 0.0,
         };
+        let cut_change = mean(gaps, |gap| {
+            of_touching(gap.change + within * rate_change, gap)
+        });
         Advance {
             rate,
             weight,
             weight_change: -rate_change / compliance,
-            cut: sum(&|gap| gap.depth + within * rate),
-            cut_change: sum(&|gap| gap.change + within * rate_change),
-            depth_of_cut: mean(&|depth| depth + within * rate),
-            most_on_flats: mean(&|depth| self.on_flats(depth + within * rate)),
-            most_change: self.growth_left(gaps, within * rate)
-                * (sum(&|gap| gap.change) + within * rate_change * sum(&|_| 1.0)),
-            touches: weight > 0.0 || gaps.iter().any(|gap| gap.depth + within * rate >= 0.0),
+            cut: mean(gaps, |gap| (gap.depth + advance).max(0.0)),
+            cut_change,
+            depth_of_cut: mean(gaps, |gap| gap.depth + advance),
+            most_on_flats: mean(gaps, |gap| self.on_flats(gap.depth + advance)),
+            most_change: self.growth_left(gaps, advance) * cut_change,
+            touches: weight > 0.0 || gaps.iter().any(|gap| gap.depth + advance >= 0.0),
         }
     }
 
@@ -147,32 +141,17 @@ impl Grip {
         }
     }
 
-    /// Corners of W(v) at rates of one sign, by their size.
-    fn corners<'c>(
-        &self,
-        corners: &'c mut [f64; 2 * MOST_PROFILES],
-        rates: impl Iterator<Item = f64>,
-    ) -> &'c [f64] {
-        let mut count = 0;
-        for rate in rates.filter(|rate| *rate > 0.0 && rate.is_finite()) {
-            corners[count] = rate;
-            count += 1;
-        }
-        corners[..count].sort_unstable_by(f64::total_cmp);
-        &corners[..count]
-    }
-
     /// The rate of a bit that goes down.
     fn down(&self, axial: &AxialLine, gaps: &[Gap]) -> f64 {
         let within = axial.within;
         let full = self.most / self.growth;
-        let rates = gaps
-            .iter()
-            .flat_map(|gap| [-gap.depth / within, (full - gap.depth) / within]);
-        let mut corners = [0.0; 2 * MOST_PROFILES];
-        let corners = self.corners(&mut corners, rates);
-        let mut from = 0.0;
-        for to in corners.iter().copied().chain([f64::INFINITY]) {
+        let corners = || {
+            let two = |gap: &Gap| [-gap.depth / within, (full - gap.depth) / within];
+            gaps.iter().flat_map(two)
+        };
+        let mut from: f64 = 0.0;
+        while from.is_finite() {
+            let to = next_corner(corners(), from);
             // Half way to the next corner all is as along the piece.
             let inside = if to.is_finite() {
                 0.5 * (from + to)
@@ -196,10 +175,10 @@ impl Grip {
     /// The rate of a bit that rises, whose flats carry nothing.
     fn up(&self, axial: &AxialLine, gaps: &[Gap]) -> f64 {
         let within = axial.within;
-        let mut corners = [0.0; 2 * MOST_PROFILES];
-        let corners = self.corners(&mut corners, gaps.iter().map(|gap| gap.depth / within));
-        let mut from = 0.0;
-        for to in corners.iter().map(|rate| -rate).chain([f64::NEG_INFINITY]) {
+        let mut from: f64 = 0.0;
+        while from.is_finite() {
+            let corners = gaps.iter().map(|gap| gap.depth / within);
+            let to = -next_corner(corners, -from);
             let inside = if to.is_finite() {
                 0.5 * (from + to)
             } else {
@@ -266,6 +245,19 @@ impl Grip {
         }
         -axial.compliance * change / (1.0 + axial.compliance * stiffness * axial.within)
     }
+}
+
+/// The mean of all blades.
+fn mean(gaps: &[Gap], of: impl Fn(&Gap) -> f64) -> f64 {
+    let share = 1.0 / gaps.len() as f64;
+    gaps.iter().map(|gap| share * of(gap)).sum()
+}
+
+/// The least of some corners of W(v) beyond one; infinite where there is none.
+fn next_corner(corners: impl Iterator<Item = f64>, from: f64) -> f64 {
+    corners
+        .filter(|corner| *corner > from)
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// Where a load line meets W = weight + slope (v − from).

@@ -12,8 +12,8 @@ pub struct Face {
     depths: Vec<Vec<f64>>,
     /// From each blade to the one before, rad.
     apart: Vec<f64>,
-    /// A place near the one that the first blade meets next.
-    near: usize,
+    /// A place near the one that each blade meets next.
+    near: Vec<usize>,
     /// How the rock rises before all of that, m/rad: as blades leave it that advance steadily.
     advance: f64,
 }
@@ -24,8 +24,8 @@ impl Face {
         Self {
             angles: vec![0.0],
             depths: vec![vec![0.0]; apart.len()],
+            near: vec![0; apart.len()],
             apart,
-            near: 0,
             advance,
         }
     }
@@ -39,14 +39,22 @@ impl Face {
     /// the angle, m/rad. Where the blade has been it is what the blade itself has left.
     pub(super) fn ahead(&self, blade: usize, angle: f64) -> (f64, f64) {
         if angle < self.furthest() {
-            return self.left_by(blade, angle);
+            return self.left_by(blade, angle, self.angles.len());
         }
-        let before = (blade + self.depths.len() - 1) % self.depths.len();
-        self.left_by(before, angle - self.apart[blade])
+        let ahead = angle - self.apart[blade];
+        self.left_by(self.before(blade), ahead, self.near[blade])
     }
 
-    /// What a blade has left where it was at an angle of the bit.
-    fn left_by(&self, blade: usize, angle: f64) -> (f64, f64) {
+    /// The blade that was last where a blade is going.
+    fn before(&self, blade: usize) -> usize {
+        match blade {
+            0 => self.depths.len() - 1,
+            blade => blade - 1,
+        }
+    }
+
+    /// What a blade has left where it was at an angle of the bit, looked for from a place.
+    fn left_by(&self, blade: usize, angle: f64, near: usize) -> (f64, f64) {
         let depths = &self.depths[blade];
         if angle <= self.angles[0] {
             // Steady blades were all as far below one another.
@@ -59,19 +67,22 @@ impl Face {
             // Past the blade: a step that ends there is refused.
             return (depths[depths.len() - 1], 0.0);
         }
-        let above = self.place_of(angle);
-        let ([from, to], [low, high]) = (
-            [self.angles[above - 1], self.angles[above]],
-            [depths[above - 1], depths[above]],
-        );
-        let rise = (high - low) / (to - from);
-        (low + rise * (angle - from), rise)
+        let above = self.place_of(angle, near);
+        let rise = self.rise(blade, above);
+        let low = above - 1;
+        (depths[low] + rise * (angle - self.angles[low]), rise)
     }
 
-    /// The first angle that is not below one, looked for from where a blade's edge was last.
-    fn place_of(&self, angle: f64) -> usize {
+    /// How what a blade has left rises up to the end of a step, m/rad.
+    fn rise(&self, blade: usize, above: usize) -> f64 {
+        let (angles, depths) = (&self.angles[above - 1..=above], &self.depths[blade]);
+        (depths[above] - depths[above - 1]) / (angles[1] - angles[0])
+    }
+
+    /// The first angle that is not below one, looked for from a place.
+    fn place_of(&self, angle: f64, near: usize) -> usize {
         let count = self.angles.len();
-        let (mut low, mut high) = (self.near, self.near);
+        let (mut low, mut high) = (near, near);
         let mut reach = 1;
         while high < count && self.angles[high] < angle {
             low = high + 1;
@@ -90,7 +101,8 @@ impl Face {
     pub(super) fn corners_between(&self, from: f64, to: f64) -> Vec<f64> {
         let mut corners: Vec<f64> = (self.apart.iter().chain([&0.0]))
             .flat_map(|apart| {
-                let [first, last] = [from - apart, to - apart].map(|angle| self.place_of(angle));
+                let [first, last] =
+                    [from - apart, to - apart].map(|angle| self.place_of(angle, self.near[0]));
                 self.angles[first..last]
                     .iter()
                     .map(move |angle| angle + apart)
@@ -104,11 +116,29 @@ impl Face {
 
     /// The steepest rise of the rock before a blade between two angles of the bit, m/rad.
     pub(super) fn steepest(&self, from: f64, to: f64) -> f64 {
-        let corners = self.corners_between(from, to);
-        let ends = corners.iter().chain([&to]);
-        let rises = ends.flat_map(|angle| {
-            let before = angle - 1e-12 * to.abs();
-            (0..self.depths.len()).map(move |blade| self.ahead(blade, before).1)
+        let furthest = self.furthest();
+        let blades = self.apart.iter().enumerate();
+        let rises = blades.map(|(blade, apart)| {
+            let own = match from < furthest {
+                true => {
+                    let ends = [from, to.min(furthest)];
+                    self.steepest_left_by(blade, ends, self.angles.len())
+                }
+                false => 0.0,
+            };
+            let ends = [from.max(furthest) - apart, to - apart];
+            own.max(self.steepest_left_by(self.before(blade), ends, self.near[blade]))
+        });
+        rises.fold(0.0, f64::max)
+    }
+
+    /// The steepest rise of what a blade has left between two angles of the bit, m/rad.
+    fn steepest_left_by(&self, blade: usize, ends: [f64; 2], near: usize) -> f64 {
+        let [first, last] = ends.map(|angle| self.place_of(angle, near));
+        let rises = (first..=last).map(|above| match above {
+            0 => self.advance,
+            above if above < self.angles.len() => self.rise(blade, above),
+            _ => 0.0,
         });
         rises.fold(0.0, f64::max)
     }
@@ -119,18 +149,19 @@ impl Face {
         if angle <= self.furthest() {
             return;
         }
-        let found: [f64; MOST_PROFILES] =
-            std::array::from_fn(|blade| match blade < self.depths.len() {
-                true => self.ahead(blade, angle).0,
-                false => 0.0,
-            });
+        // All of it is found before any of it is left.
+        let mut several = [0.0; MOST_PROFILES];
+        let found = &mut several[..self.depths.len()];
+        for (blade, found) in found.iter_mut().enumerate() {
+            *found = self.ahead(blade, angle).0;
+        }
         for (depths, found) in self.depths.iter_mut().zip(found) {
-            depths.push(depth.max(found));
+            depths.push(depth.max(*found));
         }
         self.angles.push(angle);
-        self.near = self
-            .place_of(angle - self.apart[0])
-            .min(self.angles.len() - 1);
+        for blade in 0..self.near.len() {
+            self.near[blade] = self.place_of(angle - self.apart[blade], self.near[blade]);
+        }
     }
 
     /// Bytes of a case of a number of steps.

@@ -153,6 +153,17 @@ fn wrong(
     (!is_within).then(|| format!("torque: {} {law:?}", cut.torque))
 }
 
+/// A place between two angles at which the rock rises more steeply than its face says.
+fn steeper_than_said(cutting: &Cutting, face: &Face, from: f64, to: f64) -> Option<[f64; 3]> {
+    let said = face.steepest(from, to);
+    let places = (0..40).map(|part| from + (f64::from(part) + 0.5) / 40.0 * (to - from));
+    let rises = places.flat_map(|angle| {
+        let blades = 0..cutting.blade_angles().len();
+        blades.map(move |blade| [angle, face.ahead(blade, angle).1, said])
+    });
+    { rises }.find(|[_, rise, _]| *rise > said && to > from)
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..Default::default() })]
 
@@ -173,6 +184,9 @@ proptest! {
                 step: ride.step,
             };
             let cut = forces.meet(&place, &face, line, &along);
+            let to = place.angle + along.within * free[0];
+            let gap = steeper_than_said(&ride.cutting, &face, place.angle, to);
+            prop_assert!(gap.is_none(), "{gap:?}");
             let found = wrong(&ride, &place, &face, free, &cut);
             prop_assert!(found.is_none(), "{:?} {cut:?} {place:?}", found);
             place.angle += ride.step * cut.speed;
@@ -204,6 +218,11 @@ fn a_face_is_what_the_blade_before_has_left() {
     }
     // Behind the blade is its own cut.
     assert_eq!(face.ahead(0, 1.75).0, 3.0);
+    // The rock before the blade falls, and then rises by four in half a radian. What ends where one
+    // begins counts.
+    assert_eq!(face.steepest(2.0, 2.2), 2.0);
+    assert_eq!(face.steepest(2.01, 2.2), 0.0);
+    assert_eq!(face.steepest(2.1, 2.9), 8.0);
     // A bit that bounces leaves what it found.
     face.leave(2.5, 0.0);
     assert_eq!(face.ahead(0, 2.5).0, 1.0);
