@@ -11,6 +11,12 @@ use crate::surroundings::Surroundings;
 /// The most elements: 16 million, some gigabytes with their matrices.
 const MOST_ELEMENTS: usize = 1 << 24;
 
+/// The shortest piece of a tube that is an element, m, but where a site is at either end, and its
+/// most in parts of the longest element. In bending an element is the stiffer by the cube of that: beyond a part
+/// in some ten thousand, rounding in its stiffness would outweigh what holds the string.
+const SHORTEST_PIECE: f64 = 2e-3;
+const SHORTEST_PART: f64 = 1e-2;
+
 /// Elements from the surface down, or from where the string is held in bending; node 0 is that end,
 /// node i + 1 the bottom of element i.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,14 +57,10 @@ impl Mesh {
         let spans = string.surrounded_spans(channel, sites)?;
         check_number(&spans, longest)?;
         for span in spans {
-            for part in &span {
-                for run in &part.runs {
-                    for tube in (0..run.repeat).flat_map(|_| &run.parts) {
-                        let (count, element) = divided(tube, longest);
-                        elements.extend(std::iter::repeat_n(element, count));
-                    }
-                }
-                around.resize(elements.len(), part.around);
+            for (tube, surroundings) in pieces(&span, longest) {
+                let (count, element) = divided(&tube, longest);
+                elements.extend(std::iter::repeat_n(element, count));
+                around.resize(elements.len(), surroundings);
             }
             if site_nodes.len() < sites.len() {
                 site_nodes.push(elements.len());
@@ -147,6 +149,30 @@ pub(super) fn check_number(spans: &[SurroundedSpan], longest: f64) -> Result<(),
 /// The length (m) that no element of a string is longer than.
 pub(super) fn longest_element(string: &Drillstring, elements_per_cell: usize) -> f64 {
     string.drillpipe().cell_length() / elements_per_cell as f64
+}
+
+/// The tubes of a span with what is around each. What is very short is one with its neighbour: the
+/// ends of parts are not known so well, the sites stay where they are.
+fn pieces(span: &SurroundedSpan, longest: f64) -> Vec<(Tube, Surroundings)> {
+    let shortest = SHORTEST_PIECE.min(SHORTEST_PART * longest);
+    let mut pieces: Vec<(Tube, Surroundings)> = Vec::new();
+    for part in span {
+        let tubes = part.runs.iter().flat_map(|run| {
+            let cells = std::iter::repeat_n(&run.parts, run.repeat);
+            cells.flatten()
+        });
+        for tube in tubes {
+            match pieces.last_mut() {
+                Some((above, _)) if tube.length < shortest => above.length += tube.length,
+                Some(above) if above.0.length < shortest => {
+                    let length = above.0.length + tube.length;
+                    *above = (Tube { length, ..*tube }, part.around);
+                }
+                _ => pieces.push((*tube, part.around)),
+            }
+        }
+    }
+    pieces
 }
 
 /// Equal elements of a tube, no longer than `longest`, up to rounding.
