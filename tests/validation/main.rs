@@ -1,6 +1,7 @@
 //! What is computed, held to the paper, to closed forms and to other methods.
 
 mod axial_force;
+mod cutting_in_fig09;
 mod early_stop;
 mod forward_contact;
 mod found_sites;
