@@ -1,4 +1,4 @@
-//! Cost of a case of a bit that cuts, beside one of the same string whose bit has a law of friction:
+//! Cost of a case of a bit that cuts, next to one of the same string whose bit has a law of friction:
 //! `cargo bench -p drillstring-sim --bench cutting`.
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
