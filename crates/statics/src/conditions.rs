@@ -13,7 +13,7 @@ use crate::course::Course;
 ///     weight_on_bit: 100e3,
 ///     ..Conditions::new(210e9, Course::Straight { inclination: 1.0 })
 /// };
-/// assert_eq!((conditions.bit, conditions.top), (Bit::Contact, Top::Automatic));
+/// assert_eq!((conditions.bit, conditions.top), (Bit::Contact, Top::AboveContacts));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Conditions {
@@ -53,12 +53,10 @@ pub enum Bit {
 /// Where the modelled part of the string ends.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Top {
-    /// At least 150 m above the bit, beyond the highest contact by half of the greatest of the three
-    /// distances between the highest four: an end close to a contact would lift it off.
-    #[default]
-    Automatic,
-    /// So far beyond the highest contact, but not 150 m, and there on the wall: a string that lies on
+    /// Beyond the highest contact by half of the greatest of the three distances between the highest four,
+    /// as an end close to a contact would lift it off; and there on the wall, as a string does that lies on
     /// its hole above, too.
+    #[default]
     AboveContacts,
     /// At a distance from the bit, m; contacts above are left out.
     At(f64),
@@ -71,10 +69,10 @@ pub enum Top {
 const HIGHEST_GAPS: usize = 3;
 
 impl Top {
-    /// The least distance from the bit, m, at which the string is cut by [`Top::Automatic`]: no
+    /// The distance from the bit, m, at which a string with less than two contacts is cut: no
     /// force of the seven lowest contacts of a field string changes by more than 1e-6 of itself if
     /// it is cut higher up.
-    pub const LEAST: f64 = 150.0;
+    pub const OF_ONE_CONTACT: f64 = 150.0;
 
     /// How far from the bit a string of a length is modelled that has contacts at these distances, from
     /// the highest down, m. Where the surface is closer than the next contact would be it ends there.
@@ -88,7 +86,7 @@ impl Top {
             Self::At(distance) => distance,
             Self::AboveContacts if above + widest > length => length,
             Self::AboveContacts if widest > 0.0 => above,
-            Self::AboveContacts | Self::Automatic => above.max(Self::LEAST),
+            Self::AboveContacts => above.max(Self::OF_ONE_CONTACT),
         };
         distance.min(length)
     }
@@ -105,7 +103,7 @@ impl Conditions {
             weight_on_bit: 0.0,
             torque: 0.0,
             bit: Bit::Contact,
-            top: Top::Automatic,
+            top: Top::AboveContacts,
             surface: SurfaceSupport::Pinned,
             longest_element: None,
         }

@@ -382,7 +382,7 @@ fn no_candidates_or_too_many_are_refused_with_their_line() {
         &(IN_HOLE.to_owned() + cutting),
         "[wall]",
         "wall",
-        "the bit among them if it cuts",
+        "a bit with `[bit]` is one of the `[[sites]]`",
     );
     let even = IN_HOLE.replace("sites = \"all\"", "sites = \"all\"\nsites_every_m = 9");
     assert!(read(&(even + cutting)).is_ok());
@@ -470,5 +470,5 @@ fn sites_that_cannot_be_found_are_refused() {
         "needs `clearance_mm` or",
     );
     let none = auto.replace(site, "");
-    is_refused(&none, "[wall]", "wall", "a wall needs [[sites]]");
+    is_refused(&none, "[wall]", "wall", "a wall needs `[[sites]]`");
 }

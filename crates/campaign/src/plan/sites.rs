@@ -46,9 +46,16 @@ pub fn resolve(
         }
     }
     let bit_is_site = places.iter().any(|(distance, _)| *distance == 0.0);
-    if places.is_empty() || (content.bit.is_some() && !bit_is_site) {
-        let message = "a wall needs [[sites]] where it may be touched, \
-                       the bit among them if it cuts";
+    let missing = if places.is_empty() {
+        Some(
+            "a wall needs `[[sites]]` where it may be touched, or `wall.sites = \"all\"` or `\"ends\"`",
+        )
+    } else if content.bit.is_some() && !bit_is_site {
+        Some("a bit with `[bit]` is one of the `[[sites]]` of a wall: `distance_from_bit_m = 0`")
+    } else {
+        None
+    };
+    if let Some(message) = missing {
         let key = if content.sites.is_empty() {
             "wall"
         } else {
