@@ -86,17 +86,33 @@ fn law_of_friction(bencher: Bencher, duration: f64) {
 /// A bit that sticks and slips because its blades cut what they have left.
 #[divan::bench(args = [10.0, 60.0], sample_count = 50)]
 fn even_blades(bencher: Bencher, duration: f64) {
-    cutting(bencher, duration, Blades::Even(4));
+    cutting(bencher, duration, (Blades::Even(4), relief()));
+}
+
+/// The same where nothing bounds how fast they sink in: rock ahead may be so steep that more than one
+/// speed would do.
+#[divan::bench(args = [10.0, 60.0], sample_count = 50)]
+fn even_blades_without_relief(bencher: Bencher, duration: f64) {
+    cutting(bencher, duration, (Blades::Even(4), f64::INFINITY));
 }
 
 /// The same with four rocks to keep.
 #[divan::bench(args = [10.0, 60.0], sample_count = 50)]
 fn uneven_blades(bencher: Bencher, duration: f64) {
     let angles = [80f64, 100.0, 85.0, 95.0].map(f64::to_radians);
-    cutting(bencher, duration, Blades::Uneven(angles.to_vec()));
+    cutting(
+        bencher,
+        duration,
+        (Blades::Uneven(angles.to_vec()), relief()),
+    );
 }
 
-fn cutting(bencher: Bencher, duration: f64, blades: Blades) {
+/// That of 60°.
+fn relief() -> f64 {
+    60f64.to_radians().tan()
+}
+
+fn cutting(bencher: Bencher, duration: f64, (blades, relief): (Blades, f64)) {
     let responses = responses(duration, true);
     let profile = SurfaceProfile::Rise(0.0);
     let system = System::started(&responses, &profile).unwrap();
@@ -114,7 +130,7 @@ fn cutting(bencher: Bencher, duration: f64, blades: Blades) {
         },
         contact: FlatContact::AtOnce,
         blades,
-        relief: 60f64.to_radians().tan(),
+        relief,
     };
     let advance = RATE / SPEED * std::f64::consts::TAU / 4.0;
     let mut scene = scene(duration, cutting.steady(advance)[0]);
