@@ -24,7 +24,7 @@ fn fastest(stuck: &[[f64; 2]], weight: f64) -> f64 {
 }
 
 #[test]
-fn val_cutting_sticks_faster_than_the_torque_that_the_paper_assumes() {
+fn reg_cutting_sticks_faster_than_the_torque_that_the_paper_assumes() {
     let place = Workplace::new();
     let sweeps = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps");
     let text = format!(

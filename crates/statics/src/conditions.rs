@@ -31,8 +31,8 @@ pub struct Conditions {
     pub bit: Bit,
     /// Where the modelled part of the string ends.
     pub top: Top,
-    /// What holds the surface, where the string is modelled up to it; a cut below it is held in the
-    /// middle of the hole, without a moment.
+    /// What holds the surface, where the string is modelled up to it; a cut at a given distance is held
+    /// in the middle of the hole, without a moment.
     pub surface: SurfaceSupport,
     /// The longest element, m; left out, one with which forces are converged to 1e-6 of the largest.
     pub longest_element: Option<f64>,
@@ -69,10 +69,10 @@ pub enum Top {
 const HIGHEST_GAPS: usize = 3;
 
 impl Top {
-    /// The distance from the bit, m, at which a string with less than two contacts is cut: no
+    /// The distance from the bit, m, at which a string with fewer than two contacts is cut: no
     /// force of the seven lowest contacts of a field string changes by more than 1e-6 of itself if
     /// it is cut higher up.
-    pub const OF_ONE_CONTACT: f64 = 150.0;
+    const OF_ONE_CONTACT: f64 = 150.0;
 
     /// How far from the bit a string of a length is modelled that has contacts at these distances, from
     /// the highest down, m. Where the surface is closer than the next contact would be it ends there.

@@ -1,5 +1,5 @@
-//! The string divided into elements, with a node at every change of tube and
-//! at every site; in bending from where it is held down.
+//! The string divided into elements, with a node at every change of tube that is not next to another
+//! node, and at every site; in bending from where it is held down.
 
 use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Section, Tube};
@@ -11,10 +11,12 @@ use crate::surroundings::Surroundings;
 /// The most elements: 16 million, some gigabytes with their matrices.
 const MOST_ELEMENTS: usize = 1 << 24;
 
-/// The shortest piece of a tube that is an element, m, but where a site is at either end, and its
-/// most in parts of the longest element. In bending an element is the stiffer by the cube of that: beyond a part
-/// in some ten thousand, rounding in its stiffness would outweigh what holds the string.
+/// A shorter piece of a tube, m, is one with its neighbour, but between two sites. An element is the stiffer
+/// in bending by the cube of how short it is: of one much shorter, rounding alone would outweigh what
+/// holds the string.
 const SHORTEST_PIECE: f64 = 2e-3;
+
+/// That is at most this part of the longest element.
 const SHORTEST_PART: f64 = 1e-2;
 
 /// Elements from the surface down, or from where the string is held in bending; node 0 is that end,

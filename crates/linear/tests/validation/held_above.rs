@@ -134,12 +134,7 @@ fn val_a_string_held_above_a_place_bends_as_one_that_ends_there() {
                 )
             };
             for (found, expected) in bends(&held).iter().zip(bends(&cut)) {
-                let off = (found.iter().zip(&expected)).map(|(one, other)| (one - other).abs());
-                let peak = expected
-                    .iter()
-                    .fold(0.0, |most: f64, it| most.max(it.abs()));
-                let off = off.fold(0.0, f64::max) / peak;
-                assert!(off < 1e-8, "{} {support:?}: {off}", method.name());
+                assert_near(found, &expected, 1e-8, (method.name(), support));
             }
         }
         let frequencies = |string: &Drillstring| {
@@ -216,11 +211,12 @@ fn val_a_string_held_above_a_place_turns_as_a_whole() {
 
 /// Stepped elements of a string that is held there have the taps of the same elements: sites a
 /// fraction of a millimetre off the ends of parts leave no element so short that rounding in its
-/// stiffness outweighs what holds the string. (Taps keep what is so short: it differs by that.)
+/// stiffness outweighs what holds the string. Taps, which bear it, keep what is so short.
 #[test]
 fn val_stepped_elements_are_stable_next_to_the_ends_of_joints() {
     let (held, parameters) = (held(), FiniteElement::default());
-    let ends: Vec<f64> = (0..4).map(|it| 69.0 + 9.5 * f64::from(it)).collect();
+    // The upper ends of joints, and that of the collars.
+    let ends: Vec<f64> = (0..4).map(|it| 60.5 + 9.5 * f64::from(it)).collect();
     for off in [0.0, 4e-5, -4e-5, 7e-4, -7e-4] {
         let places = ends.iter().rev().map(|end| end + off);
         let distances: Vec<f64> = places.chain([60.0 - off, 0.0]).collect();
@@ -247,16 +243,17 @@ fn val_stepped_elements_are_stable_next_to_the_ends_of_joints() {
         };
         let expected = rows(&expected.channels[0], [0, 5]);
         for (found, expected) in rows(&stepped.channels[1], [0, 1]).iter().zip(&expected) {
-            assert_near(found, expected, 1e-4);
+            // Joints of half a metre, of which up to 0.7 mm are another tube's.
+            assert_near(found, expected, 1e-3, off);
         }
     }
 }
 
-fn assert_near(found: &[f64], expected: &[f64], part: f64) {
+fn assert_near(found: &[f64], expected: &[f64], part: f64, what: impl std::fmt::Debug) {
     let peak = expected
         .iter()
         .fold(0.0, |most: f64, it| most.max(it.abs()));
     let apart = (found.iter().zip(expected)).map(|(one, other)| (one - other).abs());
     let apart = apart.fold(0.0, f64::max);
-    assert!(apart < part * peak, "{apart:e} of {peak:e}");
+    assert!(apart < part * peak, "{what:?}: {apart:e} of {peak:e}");
 }

@@ -101,12 +101,9 @@ impl Grip {
             self.change(axial, gaps, rate)
         };
         let advance = within * rate;
-        let of_touching = |of: f64, gap: &Gap| match gap.depth + advance > 0.0 {
-            true => of,
+        let cut_change = mean(gaps, |gap| match gap.depth + advance > 0.0 {
+            true => gap.change + within * rate_change,
             false => 0.0,
-        };
-        let cut_change = mean(gaps, |gap| {
-            of_touching(gap.change + within * rate_change, gap)
         });
         Advance {
             rate,

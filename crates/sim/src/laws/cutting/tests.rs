@@ -157,11 +157,11 @@ fn wrong(
 fn steeper_than_said(cutting: &Cutting, face: &Face, from: f64, to: f64) -> Option<[f64; 3]> {
     let said = face.steepest(from, to);
     let places = (0..40).map(|part| from + (f64::from(part) + 0.5) / 40.0 * (to - from));
-    let rises = places.flat_map(|angle| {
+    let mut rises = places.flat_map(|angle| {
         let blades = 0..cutting.blade_angles().len();
         blades.map(move |blade| [angle, face.ahead(blade, angle).1, said])
     });
-    { rises }.find(|[_, rise, _]| *rise > said && to > from)
+    rises.find(|[_, rise, _]| *rise > said && to > from)
 }
 
 proptest! {
