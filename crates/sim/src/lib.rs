@@ -45,6 +45,7 @@
 //! | one case from rest to its label | [`simulator`], [`Outcome`], [`trajectory`] |
 //! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
 //! | Eqs. 72–73: how long to simulate | [`timing`] |
+//! | exact waves, to hold all of these to | [`waveguide`] |
 //! | every tolerance of regimes and of ending early | [`watch::rules`] |
 //! | memory, asked for before it is taken | [`plan`] |
 //!
@@ -112,6 +113,7 @@ mod system;
 pub mod timing;
 pub mod trajectory;
 pub mod watch;
+pub mod waveguide;
 mod wavering;
 mod words;
 

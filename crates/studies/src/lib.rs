@@ -3,8 +3,8 @@
 //! where each fails, `promises` how often limits, labels and estimates are wrong. `contacts` asks of
 //! the strings themselves: how much friction whirl needs where they may touch at more and more places.
 //!
-//! `stick_slip` finds up to which speed a bit sticks, `scenes` are the shipped sweeps, and
-//! `waveguide` hands torsional waves on in time: what is true, by no method of the program.
+//! `stick_slip` finds up to which speed a bit sticks by [`sim::waveguide`], by no method of the
+//! program; `scenes` are the shipped sweeps.
 
 pub mod contacts;
 pub mod promises;
@@ -12,4 +12,3 @@ pub mod scenes;
 pub mod stability;
 mod stick_slip;
 pub mod tradeoff;
-mod waveguide;

@@ -2,7 +2,8 @@
 //! optional says what happens without it.
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize};
 
 use super::bit::BitTable;
 use super::compare::CompareTable;
@@ -221,4 +222,27 @@ impl FileContent {
 
 fn default_methods() -> Vec<MethodName> {
     vec![MethodName::Held]
+}
+
+/// As JSON within other JSON. Compiled here alone: for each reader and writer anew it takes seconds.
+impl FileContent {
+    /// What it is in JSON.
+    ///
+    /// # Errors
+    /// None that a file that was read could cause.
+    pub fn to_json(&self) -> serde_json::Result<serde_json::Value> {
+        serde_json::to_value(self)
+    }
+
+    /// Reads what it is in JSON.
+    ///
+    /// # Errors
+    /// Where that is no content of a sweep file.
+    pub fn from_json<'de, D: Deserializer<'de>>(json: D) -> Result<Self, D::Error> {
+        Self::from_value(serde_json::Value::deserialize(json)?).map_err(D::Error::custom)
+    }
+
+    fn from_value(json: serde_json::Value) -> serde_json::Result<Self> {
+        serde_json::from_value(json)
+    }
 }

@@ -96,6 +96,7 @@ pub struct Manifest {
     /// How the map is drawn, where there is one.
     pub map: Option<MapSettings>,
     /// The sweep file, its bases merged in.
+    #[serde(deserialize_with = "FileContent::from_json")]
     pub sweep: FileContent,
 }
 
@@ -284,7 +285,7 @@ fn fingerprint_of(
     for section in &mut content.string.sections {
         section.name = None;
     }
-    let mut fingerprint = serde_json::to_value(&content)?;
+    let mut fingerprint = content.to_json()?;
     if let Some(table) = fingerprint.as_object_mut() {
         for (name, hash) in ["cases of the list", "survey and recordings"]
             .iter()

@@ -12,6 +12,7 @@ use super::rates::Rates;
 use super::simulated::AXES;
 use crate::folder::{ResultTables, differences};
 use campaign::plan::Sweep;
+use campaign::sweep_file::FileContent;
 
 /// An operating window.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,7 +78,7 @@ fn reject_foreign_folders(
     let folder = folder.to_owned();
     let manifest = &tables.manifest;
     let json =
-        |content| serde_json::to_value(content).map_err(|it| WindowError::Results(it.into()));
+        |content: &FileContent| (content.to_json()).map_err(|it| WindowError::Results(it.into()));
     let (mut own, mut its) = (json(&sweep.content)?, json(&manifest.sweep)?);
     // A part that the other has not is not modelled there.
     for content in [&mut own, &mut its] {

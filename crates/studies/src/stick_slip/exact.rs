@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 
 use anyhow::{Context, Result, ensure};
+use sim::waveguide::{Friction, Waveguide};
 use sim::{BitTorque, torsion_timing};
 
-use crate::waveguide::{Friction, Waveguide};
 use campaign::accuracy::bisection::{Truth, bisected, geometric};
 use campaign::plan::Sweep;
 

@@ -1,7 +1,24 @@
 //! Torsional waves handed on in time along delay lines, without any response: between
 //! two nodes a wave only travels, and at a node impedance steps scatter it and the damping of half
 //! of both neighbouring pieces acts on it. The bit's law is solved in every step, by separate code,
-//! independent of the linear methods and of the stepper.
+//! independent of the linear methods and of the stepper, which can so be held to it.
+//!
+//! ```
+//! use linear::{Drillstring, Material, Section, Tube};
+//! use sim::waveguide::{Friction, Waveguide};
+//!
+//! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! let law = Friction { torque_static: 1200.0, torque_dynamic: 1000.0 };
+//! // Its bit held, it is wound up at 0.5 rad/s until that breaks loose.
+//! let mut waves = Waveguide::new(&string, 500.0, law);
+//! let held = (0..).take_while(|_| waves.advance(0.5, false) == 0.0).count();
+//! let stiffness = linear::estimates::torsional_stiffness(&string);
+//! let wound = 1200.0 / (0.5 * stiffness);
+//! assert!((held as f64 * waves.step / wound - 1.0).abs() < 0.02);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod motor;
 mod wound;
