@@ -11,11 +11,11 @@
 //! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
 //! let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
 //! let law = Friction { torque_static: 1200.0, torque_dynamic: 1000.0 };
-//! // Its bit held, it is wound up at 0.5 rad/s until that breaks loose.
+//! // Its bit held, it is wound up at 0.02 rad/s until that breaks loose.
 //! let mut waves = Waveguide::new(&string, 500.0, law);
-//! let held = (0..).take_while(|_| waves.advance(0.5, false) == 0.0).count();
+//! let held = (0..).take_while(|_| waves.advance(0.02, false) == 0.0).count();
 //! let stiffness = linear::estimates::torsional_stiffness(&string);
-//! let wound = 1200.0 / (0.5 * stiffness);
+//! let wound = 1200.0 / (0.02 * stiffness);
 //! assert!((held as f64 * waves.step / wound - 1.0).abs() < 0.02);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
