@@ -166,7 +166,6 @@ mod tests {
         assert_eq!(gamma("axial.toml", ""), super::GAMMA_BELOW_CUTTING);
         let given = "method.finite-element.gamma = 0.53\n";
         assert_eq!(gamma("axial.toml", given), 0.53);
-        assert_eq!(gamma("fig17_cutting.toml", ""), usual);
         assert_eq!(gamma("fig09.toml", ""), usual);
     }
 }
