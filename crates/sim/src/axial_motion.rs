@@ -45,10 +45,7 @@ impl<'a> AxialMotion<'a> {
         let mean = std::f64::consts::TAU / scene.cutting.blades() as f64;
         let steady = speed.map(|_| [scene.start_rate, scene.cutting.steady(advance * mean)[1]]);
         let step = system.sampling.frequency.recip();
-        // Responses answer means over two neighbouring samples as they answer the samples. So the law
-        // is met in the middle of a step by all: at its end, rock that is as stiff as k would damp the
-        // bit by kΔt/2.
-        let within = 0.5 * step;
+        let within = step * (1.0 - system.sampling.collocation_offset);
         Ok(Self {
             lines,
             scene,
