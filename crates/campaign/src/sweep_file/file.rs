@@ -220,10 +220,6 @@ impl FileContent {
     }
 }
 
-fn default_methods() -> Vec<MethodName> {
-    vec![MethodName::Held]
-}
-
 /// As JSON within other JSON. Compiled here alone: for each reader and writer anew it takes seconds.
 impl FileContent {
     /// What it is in JSON.
@@ -245,4 +241,8 @@ impl FileContent {
     fn from_value(json: serde_json::Value) -> serde_json::Result<Self> {
         serde_json::from_value(json)
     }
+}
+
+fn default_methods() -> Vec<MethodName> {
+    vec![MethodName::Held]
 }
