@@ -126,9 +126,17 @@ pub struct End {
     pub reflection: Vec<f64>,
 }
 
-/// Without loss that remembers, responses last at most this many times as long as is tried first: up
-/// to 37 times on random strings.
+/// Without loss that remembers, the waves of a string take at most this many times as long to fade as is
+/// tried first: up to 37 times on random strings in cases of a minute.
 const LASTS: f64 = 64.0;
+
+/// What elements send back and forth among themselves, too fast for the waves of the string, takes at most
+/// this many times as long to fade as their stiffest shapes do: coarse elements lose less.
+const RINGS: f64 = 8.0;
+
+/// Taps of all responses together that are planned for anyhow, if a case lasts so long: a string in few
+/// pieces, of different pipes, rings within a piece for longer.
+const LITTLE: f64 = 1e6;
 
 /// Responses of the uppermost piece.
 const AT_TOP: usize = 6;
@@ -196,20 +204,19 @@ impl<'a> CascadePlan<'a> {
         sampling_frequency: f64,
         longest_time: f64,
     ) -> Result<Self, BuildError> {
-        if !matches!(method, Method::Quadrature | Method::FiniteElement(_)) {
-            let method = method.name();
-            return Err(BuildError::NotInPieces { method });
-        }
+        let rings = match method {
+            Method::Quadrature => 0.0,
+            Method::FiniteElement(parameters) => {
+                let weights = Weights::new(parameters, sampling_frequency)?;
+                RINGS * NEGLIGIBLE.ln().abs() / weights.loss_of_the_stiffest()
+            }
+            _ => {
+                let method = method.name();
+                return Err(BuildError::NotInPieces { method });
+            }
+        };
         let first = first_taps(string, nodes, sampling_frequency);
         let most = needed_taps(longest_time, sampling_frequency);
-        // What mud and material remember fades far more slowly than echoes do.
-        let longest = match string.loss().has_memory() {
-            true => most,
-            false => (LASTS * first).min(most),
-        };
-        if longest > MOST_TAPS as f64 {
-            return Err(too_many(longest));
-        }
         let pieces = Pieces {
             impedances: (string.spans(nodes)?.iter())
                 .map(|span| impedance(string, span))
@@ -218,6 +225,15 @@ impl<'a> CascadePlan<'a> {
             loss_has_memory: string.loss().has_memory(),
             nodes: nodes.len(),
         };
+        let channels = pieces.scales().len();
+        // What mud and material remember fades far more slowly than echoes do.
+        let longest = match pieces.loss_has_memory {
+            true => most,
+            false => most.min((LASTS * first + rings).max(LITTLE / channels as f64)),
+        };
+        if longest > MOST_TAPS as f64 {
+            return Err(too_many(longest));
+        }
         Ok(Self {
             string,
             method,
@@ -228,7 +244,7 @@ impl<'a> CascadePlan<'a> {
                 first: first.min(most),
                 most,
                 longest: transformable(longest.ceil() as usize),
-                channels: pieces.scales().len(),
+                channels,
                 on_thread: working_bytes(nodes.len(), 1),
             },
             pieces,

@@ -152,6 +152,12 @@ impl Weights {
         losses.into_iter().fold(f64::INFINITY, f64::min).max(0.0)
     }
 
+    /// What the stiffest shapes of elements lose in a step: with γ near ½ little, and with the least β
+    /// nothing.
+    pub(crate) fn loss_of_the_stiffest(&self) -> f64 {
+        self.loss((0.0, 0.0, 1.0)).max(0.0)
+    }
+
     /// What a motion loses in a step, of inertia m, damping hc and stiffness h²k.
     fn loss(&self, (inertia, damping, stiffness): (f64, f64, f64)) -> f64 {
         let Self { gamma, beta, .. } = *self;

@@ -180,7 +180,8 @@ fn val_no_response_outlasts_its_plan() {
     }
 }
 
-/// Of any string in any number of pieces.
+/// Of any string in any number of pieces, elements that hardly damp included (nor did any of 3000 strings
+/// in a minute, and 8 of 6000 in five, when the bound was set).
 #[test]
 fn val_pieces_ring_no_longer_than_planned() {
     let mut longest: f64 = 0.0;
@@ -196,10 +197,15 @@ fn val_pieces_ring_no_longer_than_planned() {
         let places: Vec<f64> = middles.chain([0.0]).collect();
         let nodes = Sites::new(&string, &places).unwrap();
         let (frequency, time) = (draw.log_uniform(20.0, 400.0), 30.0);
-        for method in [
-            Method::Quadrature,
-            Method::FiniteElement(FiniteElement::default()),
-        ] {
+        let elements = |gamma: f64| {
+            let elements_per_cell = 1 + number as usize % 20;
+            Method::FiniteElement(FiniteElement {
+                gamma,
+                elements_per_cell,
+                beta: None,
+            })
+        };
+        for method in [Method::Quadrature, elements(0.52), elements(0.502)] {
             let plan = CascadePlan::new(&string, &method, &nodes, frequency, time).unwrap();
             let cascade = plan.build(&Budget::unlimited()).unwrap();
             let (most, planned) = (cascade.longest_response(), plan.taps());
