@@ -79,7 +79,13 @@ fn simulate_draws_what_a_bit_cuts_and_what_it_leaves() {
     let steps: Vec<Vec<f64>> = (columns(&history, names).iter())
         .map(|row| row.iter().map(|cell| cell.parse().unwrap()).collect())
         .collect();
-    let mut off_bottom = 0;
+    // Recorded in the middle of steps, of which the bit leaves the ends.
+    let mut ends = vec![[0.0; 2]];
+    for step in &steps {
+        let last = ends[ends.len() - 1];
+        ends.push([0, 1].map(|index| 2.0 * step[index] - last[index]));
+    }
+    let (mut off_bottom, mut errors) = (0, Vec::new());
     for step in &steps {
         let [turns, depth, rock, cut] = step[..] else {
             unreachable!()
@@ -89,18 +95,26 @@ fn simulate_draws_what_a_bit_cuts_and_what_it_leaves() {
         off_bottom += usize::from(cut < 0.0);
         // Four blades: the one before was here a quarter of a turn earlier.
         let before = turns - 0.25;
-        let above = steps.partition_point(|other| other[0] < before);
-        if above > 0 && before > 1.0 {
-            let [low, high] = [&steps[above - 1], &steps[above]];
+        let above = ends.partition_point(|end| end[0] < before);
+        if before < 1.0 {
+            continue;
+        }
+        // What is left of a bit that stands, or is off bottom, is not a straight line between ends.
+        let mut around = ends[above - 4..above + 4].windows(2);
+        let is_turning = around.all(|ends| ends[1][0] - ends[0][0] > 1e-4);
+        let cuts = steps[above - 5..above + 4]
+            .iter()
+            .all(|other| other[3] > 0.0);
+        if is_turning && cuts {
+            let [low, high] = [ends[above - 1], ends[above]];
             let part = (before - low[0]) / (high[0] - low[0]);
-            let found = low[2] + part * (high[2] - low[2]);
-            // Recorded in the middle of steps, met between their ends.
-            assert!(
-                (depth - found - cut).abs() < 0.1,
-                "{turns} {depth} {found} {cut}"
-            );
+            let found = low[1] + part * (high[1] - low[1]);
+            errors.push((depth - found - cut).abs());
         }
     }
+    assert!(2 * errors.len() > steps.len(), "{}", errors.len());
+    let wrong = errors.iter().filter(|error| **error > 1e-6).count();
+    assert!(100 * wrong < errors.len(), "{wrong}");
     assert!(off_bottom > 10, "{off_bottom}");
 }
 

@@ -145,6 +145,12 @@ impl Sweep {
             let elements = methods::usual_elements(&setting.string);
             content.method.finite_element.elements_per_cell = elements;
         }
+        if let (Some(gamma), false) = (
+            methods::gamma_below_cutting(&content),
+            source.gives_within(["method", "finite-element"], "gamma"),
+        ) {
+            content.method.finite_element.gamma = gamma;
+        }
         string::check_axes(&source, &content, &design)?;
         if let Some(accuracy) = content.accuracy {
             let message = "nothing is known of the error of a bit with [bit.cutting]: give `methods` \

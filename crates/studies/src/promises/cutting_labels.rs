@@ -3,8 +3,6 @@
 //! grow, which is exact.
 
 use anyhow::{Context, Result};
-use linear::Method;
-use linear::method::FiniteElement;
 use linear::regenerative::CuttingLoop;
 use rayon::prelude::*;
 use sim::{Label, Motion, Stopping};
@@ -29,7 +27,7 @@ pub struct CuttingLabel {
     pub energy: f64,
     /// Hz.
     pub sampling_frequency: f64,
-    /// The labels of axial motion and of torsion by [`Method::Held`] and by finite elements; none of a
+    /// The labels of axial motion and of torsion by [`linear::Method::Held`] and by finite elements; none of a
     /// case without an answer.
     pub labels: [[Option<Label>; 2]; 2],
     /// How many roots grow; none where they cannot be counted.
@@ -74,7 +72,7 @@ impl CuttingLabel {
         Some(held? == elements?)
     }
 
-    /// Whether [`Method::Held`] calls steady what grows, or vibration what dies away; `None` where one
+    /// Whether [`linear::Method::Held`] calls steady what grows, or vibration what dies away; `None` where one
     /// of both is not known.
     pub fn is_wrong(&self) -> Option<bool> {
         let vibrates = self.labels[0].map(|label| label?.is_sustained());
@@ -107,20 +105,14 @@ fn labels(problem: &CuttingProblem, draw: &mut Draw) -> Result<Vec<CuttingLabel>
     let Ok(exact) = &problem.exact else {
         return Ok(Vec::new());
     };
-    let methods = [
-        Method::Held,
-        Method::FiniteElement(FiniteElement::default()),
-    ];
-    let names = methods.map(|method| method.name());
     let sweep = problem
         .problem
-        .sweep(&format!("methods = {names:?}\n"))?
+        .sweep("methods = [\"held\", \"finite-element\"]\n")?
         .for_run()?;
     let case = trial::case(&sweep, &sweep.setting, &in_rock(&sweep, exact.energy))?;
     let timing = case.scene.timing;
-    let systems = methods
-        .map(|method| Recipe::of(&sweep, &sweep.setting, method, timing.duration).build())
-        .into_iter()
+    let systems = (sweep.methods.iter())
+        .map(|method| Recipe::of(&sweep, &sweep.setting, *method, timing.duration).build())
         .collect::<Result<Vec<_>>>()?;
     let settings = (sweep.setting.cutting.as_ref()).context("the bit cuts")?;
     let cutting = CuttingLoop::new(&sweep.setting.string, &settings.rod)?;

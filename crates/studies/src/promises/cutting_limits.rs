@@ -26,7 +26,7 @@ const LEAST: f64 = 200.0;
 const MOST_STEPS: f64 = 4e6;
 
 /// The disturbance at first, a part of torque and weight.
-const DISTURBANCE: f64 = 1e-6;
+const DISTURBANCE: f64 = 1e-4;
 
 /// A depth of cut that varies by more than the second part of itself has grown, however fast that was;
 /// by less than the first it is rounding.
@@ -117,6 +117,8 @@ fn limit(problem: &CuttingProblem, method: Method) -> Result<CuttingLimit> {
     if duration * found.sampling_frequency > MOST_STEPS {
         return Ok(found);
     }
+    // With its parameters, as a sweep has them.
+    let method = sweep.methods[0];
     let simulated = Simulated::new(sweep, method, duration)?;
     found.lengths = Some(simulated.lengths()?);
     let ends = [exact.energy / WITHIN, exact.energy * WITHIN];

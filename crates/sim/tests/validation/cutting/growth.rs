@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use linear::method::FiniteElement;
 use linear::regenerative::{CuttingLoop, SteadyCut};
 use linear::{Complex64, Method, Responses};
 use problems::dashpots::{BelowDashpots, collar, pipe};
@@ -91,8 +92,8 @@ fn simulated_limit(
 }
 
 /// Axial motion alone: no torque changes the speed of the string.
-fn axial_responses(below: &BelowDashpots, duration: f64) -> Responses {
-    let mut responses = responses(below, &Method::Held, [STEP, duration]);
+fn axial_responses(below: &BelowDashpots, method: &Method, duration: f64) -> Responses {
+    let mut responses = responses(below, method, [STEP, duration]);
     let torsion = &mut responses.channels[0].from_loads[0][0];
     *torsion = immovable(torsion.len());
     responses
@@ -113,7 +114,7 @@ fn val_simulated_motion_grows_beyond_the_limit_of_steady_drilling() {
         let exact = CuttingLoop::new(&below.string, &below.rod).unwrap();
         let at = |speed: f64| axial_cut(&cutting, [speed, rate]);
         let limit = exact.limit(at, [0.97 * known, 1.03 * known]).unwrap();
-        let responses = axial_responses(&below, 200.0);
+        let responses = axial_responses(&below, &Method::Held, 200.0);
         let found = simulated_limit(&responses, &cutting, rate, limit);
         assert!((found / limit.0 - 1.0).abs() < 1e-3, "{found} {limit:?}");
     }
@@ -147,6 +148,30 @@ fn val_simulated_limits_of_random_strings() {
         );
     }
     assert!(known > 4, "{known}");
+}
+
+/// By methods whose loads and motion are sampled, too, where elements hardly damp; with the damping
+/// that a sticking site wants of them elsewhere they call drilling steady that is not.
+#[test]
+fn val_simulated_limits_of_sampled_methods() {
+    let (cutting, rate) = (bit(6e6, 5e-3), 0.004);
+    let below = BelowDashpots::new(&[pipe(2000.0)], [0.7, -0.7]);
+    let exact = CuttingLoop::new(&below.string, &below.rod).unwrap();
+    let at = |speed: f64| axial_cut(&cutting, [speed, rate]);
+    let limit = exact.limit(at, [19.0, 21.0]).unwrap();
+    let off = |method: &Method| {
+        let responses = axial_responses(&below, method, 200.0);
+        (simulated_limit(&responses, &cutting, rate, limit) / limit.0 - 1.0).abs()
+    };
+    let elements = |gamma: f64| {
+        let usual = FiniteElement::default();
+        Method::FiniteElement(FiniteElement { gamma, ..usual })
+    };
+    let [quadrature, little, usual] =
+        [Method::Quadrature, elements(0.502), elements(0.52)].map(|method| off(&method));
+    assert!(quadrature < 0.01, "{quadrature}");
+    assert!(little < 0.1, "{little}");
+    assert!(usual > 5.0 * little, "{usual} {little}");
 }
 
 /// Growth and frequency of the motion that grows fastest, to the digits of an independent program.

@@ -358,7 +358,7 @@ proptest! {
                 loads[channel].push(change);
             }
             let line = Line {
-                within: STEP * (1.0 - offset),
+                within: 0.5 * STEP,
                 compliance: responses.channels[1].from_loads[0][0][0],
                 size,
             };
