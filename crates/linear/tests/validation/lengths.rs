@@ -198,7 +198,7 @@ fn val_pieces_ring_no_longer_than_planned() {
         let nodes = Sites::new(&string, &places).unwrap();
         let (frequency, time) = (draw.log_uniform(20.0, 400.0), 30.0);
         let elements = |gamma: f64| {
-            let elements_per_cell = 1 + number as usize % 20;
+            let elements_per_cell = 1 + number % 20;
             Method::FiniteElement(FiniteElement {
                 gamma,
                 elements_per_cell,
