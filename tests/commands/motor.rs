@@ -70,3 +70,40 @@ fn a_bit_that_cuts_below_a_motor_turns_by_its_chart_in_the_mean() {
         mean(0)
     );
 }
+
+/// A string that whirls above a motor, and one that begins turning: from the first step the bit turns by
+/// its chart, and at its wall it slides at that speed.
+#[test]
+fn walls_go_together_with_a_motor() {
+    let wall = "[string.bending]\nyoungs_modulus_gpa = 206\ndamping_ns_m2 = 100\n\
+                [bit]\ntorque_dynamic_nm = 500\n[wall]\nclearance_mm = 20\nfriction = 0.3\n\
+                [[sites]]\ndistance_from_bit_m = 0\n[[sites]]\ndistance_from_bit_m = 20\n\
+                [[impulses]]\ndistance_from_bit_m = 0\namount_ns = 2000\nstart_s = 1\n";
+    let setting = crate::support::SMALL.split("[bit]").next().unwrap();
+    let design =
+        "[design]\nkind = \"grid\"\n[design.axes]\nsurface_speed_rpm = { values = [40, 80] }\n";
+    let text = format!("start = \"smooth\"\nstart_disturbance = 0\n{setting}{MOTOR}{wall}{design}");
+    let place = Workplace::with_small(&text);
+    done(&place, &["run", "small.toml", "--out", "out"]);
+    let rows = columns(&place, "out/labels.csv", ["torsion", "peak_radius_mm"]);
+    assert_eq!(rows.len(), 2);
+    for [torsion, radius] in &rows {
+        // It is pushed to its wall.
+        assert!(
+            torsion == "smooth" && number(radius) > 20.0,
+            "{torsion} {radius}"
+        );
+    }
+    done(
+        &place,
+        &["simulate", "small.toml", "--case", "1", "--out", "case"],
+    );
+    let speeds = columns(&place, "case/history.csv", ["bit_speed_rpm"]);
+    let expected = 80.0 + relative_speed(500.0);
+    for [speed] in speeds.iter().take(90) {
+        assert!(
+            (number(speed) - expected).abs() < 1e-6,
+            "{speed} {expected}"
+        );
+    }
+}

@@ -53,12 +53,6 @@ pub enum SimulationError {
         /// Time of the step, s.
         time: f64,
     },
-    /// A case with a motor begins otherwise than at rest.
-    #[error("a bit below a motor begins at rest")]
-    SteadyWithMotor,
-    /// A string with a motor has walls: what touches them below the motor turns faster than the string.
-    #[error("a string with a motor has no walls")]
-    WallsWithMotor,
     /// A spring that holds a site of the linear string is too stiff to be taken back within a step.
     #[error(
         "the spring at site {site} is too stiff to be taken back within a step; a higher sampling \

@@ -46,16 +46,16 @@ pub(crate) enum PortTorque<'a, B: TorqueLaw> {
 #[derive(Debug, Clone)]
 pub(crate) enum Turned<S> {
     Free,
-    Bit(TorqueStep<S>, StringEnd),
-    Cut(CutStep, StringEnd),
+    Bit(TorqueStep<S>),
+    Cut(CutStep),
     Pipe(TorqueStep<PipeMotion>),
 }
 
-/// How a port turns in a step, under all torques on it.
+/// How a port turns in a step.
 #[derive(Debug, Clone)]
 pub(crate) struct PortTurn<S> {
-    /// Rotation speed, rad/s.
-    pub(crate) speed: f64,
+    /// The string there, under all torques on it.
+    pub(crate) string: StringEnd,
     /// What its own law answered.
     pub(crate) law: Turned<S>,
 }
@@ -65,7 +65,8 @@ impl<S> Turned<S> {
     fn torque(&self) -> f64 {
         match self {
             Self::Free => 0.0,
-            Self::Bit(_, end) | Self::Cut(_, end) => end.torque,
+            Self::Bit(step) => step.torque,
+            Self::Cut(step) => -step.torque,
             Self::Pipe(step) => step.torque,
         }
     }
@@ -74,7 +75,8 @@ impl<S> Turned<S> {
     fn speed(&self) -> Option<f64> {
         match self {
             Self::Free => None,
-            Self::Bit(_, end) | Self::Cut(_, end) => Some(end.speed),
+            Self::Bit(step) => Some(step.speed),
+            Self::Cut(step) => Some(step.speed),
             Self::Pipe(step) => Some(step.speed),
         }
     }
@@ -104,20 +106,23 @@ pub(crate) fn meet_cut(
 }
 
 impl<B: TorqueLaw> PortTorque<'_, B> {
-    /// Meets the load line; a `guess` of the speed (rad/s) saves time.
+    /// Meets the load line of what the law acts on, which is not the string below a motor; a `guess` of
+    /// the speed (rad/s) saves time.
     #[inline]
     fn meet(&self, line: LoadLine, guess: f64) -> Turned<B::State> {
         match self {
             Self::Free => Turned::Free,
-            Self::Bit(law, before, motor) => {
-                let (bit, end) = meet_bit(*law, before, *motor, line);
-                Turned::Bit(bit, end)
-            }
-            Self::Cut(axial, motor) => {
-                let (cut, end) = meet_cut(axial, *motor, line);
-                Turned::Cut(cut, end)
-            }
+            Self::Bit(law, before, _) => Turned::Bit(law.meet(before, line)),
+            Self::Cut(axial, _) => Turned::Cut(axial.meet(line)),
             Self::Pipe(law, before) => Turned::Pipe(law.meet(before, line.free_speed, guess.abs())),
+        }
+    }
+
+    /// The motor that turns what the law acts on.
+    fn motor(&self) -> Option<&MotorMotion> {
+        match self {
+            Self::Bit(_, _, motor) | Self::Cut(_, motor) => *motor,
+            Self::Free | Self::Pipe(..) => None,
         }
     }
 
@@ -144,14 +149,16 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
     /// Meets the load line where there is no wall; a `guess` of the speed (rad/s) saves time.
     #[inline]
     pub(crate) fn turn(&self, line: LoadLine, guess: f64) -> PortTurn<B::State> {
-        let turned = self.meet(line, guess);
-        PortTurn {
-            speed: turned.speed().unwrap_or(line.free_speed),
-            law: turned,
-        }
+        let act = |line| (self.meet(line, guess), line);
+        let read = |(law, line): &(Turned<_>, LoadLine)| {
+            [law.torque(), law.speed().unwrap_or(line.free_speed)]
+        };
+        let ((law, _), string) = meet_below(self.motor(), line, act, read);
+        PortTurn { string, law }
     }
 
-    /// Meets all load lines of a port at a wall; gives what the wall does, too.
+    /// Meets all load lines of a port at a wall; gives what the wall does, too. What is at the wall below
+    /// a motor is the bit.
     #[inline]
     pub(crate) fn turn_at_wall<W: WallLaw>(
         &self,
@@ -160,6 +167,24 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
         line: LoadLine,
         guess: f64,
     ) -> Result<(Contact, PortTurn<B::State>), ContactError> {
+        let act = |line| self.meet_at_wall(wall, lateral, line, guess);
+        let read = |met: &Result<(Contact, Turned<_>, f64), _>| match met {
+            Ok((contact, law, speed)) => [contact.torque + law.torque(), *speed],
+            Err(_) => [0.0; 2],
+        };
+        let (met, string) = meet_below(self.motor(), line, act, read);
+        met.map(|(contact, law, _)| (contact, PortTurn { string, law }))
+    }
+
+    /// What wall and law do on a load line of the body that both act on, and its speed, rad/s.
+    #[inline]
+    fn meet_at_wall<W: WallLaw>(
+        &self,
+        wall: &W,
+        lateral: &LateralLine,
+        line: LoadLine,
+        guess: f64,
+    ) -> Result<(Contact, Turned<B::State>, f64), ContactError> {
         let turned = |free_speed: f64| self.meet(LoadLine { free_speed, ..line }, guess);
         let speed = |free: f64| turned(free).speed().unwrap_or(free);
         let resistance = self.largest_drop().map(|drop| Resistance {
@@ -179,24 +204,26 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
             sampling: lateral.sampling,
         })?;
         let free_speed = line.free_speed + line.compliance * contact.torque;
-        let turn = self.turn(LoadLine { free_speed, ..line }, guess);
-        Ok((contact, turn))
+        let law = turned(free_speed);
+        let speed = law.speed().unwrap_or(free_speed);
+        Ok((contact, law, speed))
     }
 
     /// What the others have to know of a port that has been solved, what its wall does given.
     #[inline]
     pub(crate) fn solved(&self, turn: &PortTurn<B::State>, at_wall: &Contact) -> Solved {
+        let StringEnd { torque, speed } = turn.string;
         // What touches a wall, or is held, turns as that lets it.
-        let is_held = at_wall.touches() || (turn.speed == 0.0 && !self.is_free());
+        let is_held = at_wall.touches() || (speed == 0.0 && !self.is_free());
         Solved {
             load: Load {
                 force: at_wall.force,
-                torque: at_wall.torque + turn.law.torque(),
+                torque,
             },
             normal_force: at_wall.normal_force,
             slack: 0.0,
-            speed: turn.speed,
-            fall: (!is_held).then(|| self.fall(turn.speed)),
+            speed,
+            fall: (!is_held).then(|| self.fall(speed)),
         }
     }
 

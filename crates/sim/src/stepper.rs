@@ -113,6 +113,8 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     bit_state: B::State,
     /// How the pipe rubbed in the last step.
     rubbed: Vec<PipeMotion>,
+    /// How fast what is at the wall of each port turned in the last step, rad/s: below a motor the bit.
+    turned: Vec<f64>,
     /// What the ports do in this step without its loads.
     free: Vec<f64>,
     step_torques: Vec<f64>,
@@ -170,15 +172,22 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 Some((law, port))
             }
         };
-        let motor = system.motor_from_rest(scene)?;
+        let speeds = match reference {
+            Reference::Free | Reference::Stuck(_) => vec![0.0; loaded.len()],
+            Reference::Steady(motion) => of_sites(loaded, &motion.speeds),
+        };
+        let motor = system.motor(scene, &speeds);
+        let mut turned = speeds.clone();
+        if let (Some(motor), Some(port)) = (&motor, system.bit_port()) {
+            turned[port] = motor.bit_speed();
+        }
         let within = system.torsion.within();
         let steps = system.steps_of(scene.timing.duration);
         let axial = match &scene.axial {
             None => None,
             Some(axial) => {
                 let port = system.bit_port().ok_or(SimulationError::NoTorqueInput)?;
-                let start = scene.start.steady();
-                let speed = start.map(|motion| motion.speeds[loaded[port]]);
+                let speed = scene.start.steady().map(|_| turned[port]);
                 Some((AxialMotion::new(system, axial, speed, steps)?, port))
             }
         };
@@ -189,11 +198,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         let friction = friction(scene, within)?;
         let walls = (scene.lateral.as_ref()).map_or(&[][..], |lateral| &lateral.walls);
         let radii: Vec<f64> = walls.iter().map(WallLaw::radius).collect();
-        let speeds = match reference {
-            Reference::Free | Reference::Stuck(_) => vec![0.0; loaded.len()],
-            Reference::Steady(motion) => of_sites(loaded, &motion.speeds),
-        };
-        let turned = bit.map(|(law, port)| law.turning_at(speeds[port]));
+        let bit_state = bit.map(|(law, port)| law.turning_at(turned[port]));
         let mut coupling = Coupling::new(within, bending, (&system.walls, &radii));
         coupling.begin_at(&speeds);
         let rubbed = vec![PipeMotion::default(); friction.len()];
@@ -213,8 +218,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             motor,
             drive,
             coupling,
-            bit_state: turned.unwrap_or_default(),
+            bit_state: bit_state.unwrap_or_default(),
             rubbed: rubbed.clone(),
+            turned,
             free: vec![0.0; loaded.len()],
             step_torques: vec![0.0; loaded.len()],
             now: Step {
@@ -285,7 +291,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             Reference::Steady(motion) => self.add_steady_motion(motion),
         }
         if let Some(lateral) = &mut self.lateral {
-            lateral.find_free_motion(self.now.time, &self.now.speeds);
+            lateral.find_free_motion(self.now.time, &self.turned);
             for (port, torque) in lateral.resting_torques() {
                 self.within.turn_by(port, -torque, &mut self.free);
             }
@@ -451,17 +457,17 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                     (turn, solved)
                 }
             };
-            if !(turn.speed.is_finite() && solved.load.torque.is_finite()) {
+            if !(solved.speed.is_finite() && solved.load.torque.is_finite()) {
                 return Err(system.not_finite(port, time));
             }
-            now.speeds[port] = turn.speed;
+            now.speeds[port] = solved.speed;
             match turn.law {
                 Turned::Free => {}
-                Turned::Bit(answer, _) => {
+                Turned::Bit(answer) => {
                     wavering.see(bit.map(|(law, _)| law.motion(&answer)), &answer.state);
                     now.bit = Some(answer);
                 }
-                Turned::Cut(cut, _) => now.cut = Some(cut),
+                Turned::Cut(cut) => now.cut = Some(cut),
                 Turned::Pipe(pipe) => now.rubbing[port] = pipe.state,
             }
             Ok(solved)
@@ -506,11 +512,14 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         let bit_torque = self.step_torques.last().copied().unwrap_or_default();
         let of_drive = self.drive.as_mut().map(|drive| drive.end_step(bit_torque));
         self.now.surface = of_drive.or(of_line);
-        if let Some(lateral) = &mut self.lateral {
-            lateral.end_step(&self.now.contacts, &self.now.speeds);
-        }
-        if let (Some(motor), Some((_, speed))) = (&mut self.motor, bit_speed) {
+        self.turned.copy_from_slice(&self.now.speeds);
+        let at_bit = self.bit_port();
+        if let (Some(motor), Some((_, speed)), Some(port)) = (&mut self.motor, bit_speed, at_bit) {
             motor.end_step(speed);
+            self.turned[port] = speed;
+        }
+        if let Some(lateral) = &mut self.lateral {
+            lateral.end_step(&self.now.contacts, &self.turned);
         }
         if let Some(bit) = &self.now.bit {
             self.bit_state.clone_from(&bit.state);
@@ -572,10 +581,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         &self.now.contacts
     }
 
-    /// How fast the string turned at each wall in the last step, rad/s.
+    /// How fast what is at each wall turned in the last step, rad/s.
     pub(crate) fn speeds_at_walls(&self) -> impl Iterator<Item = f64> {
         let ports = self.system.walls.ports().iter();
-        ports.map(|&port| self.now.speeds[port])
+        ports.map(|&port| self.turned[port])
     }
 
     /// All torques on a port so far, as the reference motion is left by them, N m.

@@ -287,22 +287,19 @@ impl System {
         Some(speeds)
     }
 
-    /// The motor at the start of a scene, where there is one.
-    pub(crate) fn motor_from_rest<B, W>(
-        &self,
-        scene: &Scene<B, W>,
-    ) -> Result<Option<MotorMotion>, SimulationError> {
-        let Some(motor) = self.motor else {
-            return Ok(None);
-        };
-        if scene.start != Start::Rest {
-            return Err(SimulationError::SteadyWithMotor);
-        }
-        if scene.lateral.is_some() {
-            return Err(SimulationError::WallsWithMotor);
-        }
+    /// The motor at the start of a scene that begins with these speeds of ports, rad/s, where there is
+    /// one: at rest, or turning by its chart.
+    pub(crate) fn motor<B, W>(&self, scene: &Scene<B, W>, speeds: &[f64]) -> Option<MotorMotion> {
+        let motor = self.motor?;
+        let turning = (scene.start.steady().zip(self.bit_port())).map(|(steady, port)| {
+            let lying = scene.lateral.as_ref().and_then(|it| it.lying.as_ref());
+            let by_wall = (self.walls.at(port).zip(lying))
+                .and_then(|(wall, lying)| lying.torques.get(wall))
+                .map_or(0.0, |torque| *torque);
+            speeds[port] + motor.relative_speed(-steady.at_bit.torque - by_wall)
+        });
         let step = self.sampling.frequency.recip();
-        Ok(Some(MotorMotion::new(motor, step)))
+        Some(MotorMotion::new(motor, step, turning.unwrap_or_default()))
     }
 
     /// The drive of limited torque at the start of a scene of a number of steps, where there is one.

@@ -57,12 +57,6 @@ fn check_scene(source: &Source, content: &FileContent) -> Result<(), SweepFileEr
             "needs a torque at the bit: [bit]",
         ),
         (
-            "motor",
-            content.wall.is_some(),
-            "what touches the [wall] below a motor turns faster than the string, which is not \
-             modelled: leave one of both out",
-        ),
-        (
             "accuracy",
             content.accuracy.is_some(),
             "nothing is known of the error of a bit below a motor: give `methods` and \

@@ -4,9 +4,8 @@
 //! has just been held, unless its file says otherwise: the string winds up steadily, the torque on
 //! the bit has reached T_s, and it breaks loose.
 
-use linear::Drillstring;
 use linear::steady::{rotation, rotation_speed, winding};
-use sim::{BitTorque, Start};
+use sim::{BitTorque, MudMotor, Start};
 
 use super::lying::LyingStart;
 use super::setting::Setting;
@@ -35,7 +34,7 @@ pub struct Starts {
 pub fn resolve(source: &Source, content: &FileContent) -> Result<Starts, SweepFileError> {
     let cuts = content.has_cutting();
     let name = match (content.start, rest_only(content)) {
-        (None, None) if cuts || content.bit.is_none() => StartName::Ramp,
+        (None, None) if cuts || content.bit.is_none() || content.motor.is_some() => StartName::Ramp,
         (None, None) if !source.gives("surface_speed_rise_s") => StartName::Stuck,
         (None, _) => StartName::Ramp,
         (Some(name), why) => {
@@ -66,8 +65,8 @@ fn rest_only(content: &FileContent) -> Option<&'static str> {
     if content.string_friction.is_some() {
         return Some("with [string_friction] a case begins at rest: only `\"ramp\"` is possible");
     }
-    if content.motor.is_some() {
-        return Some("below a [motor] a bit begins at rest: only `\"ramp\"` is possible");
+    if content.motor.is_some() && content.has_cutting() {
+        return Some("below a [motor] a bit that cuts begins at rest: only `\"ramp\"` is possible");
     }
     if content.surface_speed_file.is_some() {
         return Some("the surface turns as it was recorded: only `\"ramp\"` is possible");
@@ -111,6 +110,9 @@ fn check(
     let message = "holds a bit: needs a table [bit]";
     let is_held = matches!(name, StartName::Stuck | StartName::Both);
     source.refuse_if(is_held && content.bit.is_none(), "start", message)?;
+    let message = "a [motor] turns its bit against the string, which does not wind up evenly where that is \
+                   held: use `\"ramp\"` or `\"smooth\"`";
+    source.refuse_if(is_held && content.motor.is_some(), "start", message)?;
     let has_wall = content.wall.is_some();
     let message = "with a [wall] a case begins one way: `\"stuck\"`, `\"smooth\"` or `\"ramp\"`";
     source.refuse_if(name == StartName::Both && has_wall, "start", message)
@@ -160,8 +162,8 @@ impl Starts {
                 return None;
             }
             StartName::Stuck => StartName::Smooth,
-            // Without a bit nothing sticks.
-            _ if content.bit.is_none() => return None,
+            // Without a bit nothing sticks, and below a motor none is held evenly.
+            _ if content.bit.is_none() || content.motor.is_some() => return None,
             StartName::Smooth | StartName::Turning | StartName::Ramp => StartName::Stuck,
         };
         Some(Self { name, ..*self })
@@ -177,14 +179,15 @@ impl Starts {
 
     fn smooth(&self, setting: &Setting, surface_speed: f64, bit: &BitTorque) -> Start {
         let string = &setting.string;
-        let torque = steady_torque(string, surface_speed, bit);
+        let torque = steady_torque(setting, surface_speed, bit);
         let before = (1.0 - self.disturbance) * torque;
         Start::Steady(rotation(string, &setting.sites, surface_speed, before))
     }
 }
 
-/// Torque (N m) against a bit that rotates with its string.
-fn steady_torque(string: &Drillstring, surface_speed: f64, bit: &BitTorque) -> f64 {
-    let speed = rotation_speed(string, surface_speed, bit.torque_dynamic);
-    bit.torque_at(speed.abs())
+/// Torque (N m) against a bit that rotates with its string, below a motor faster by its chart.
+fn steady_torque(setting: &Setting, surface_speed: f64, bit: &BitTorque) -> f64 {
+    let speed = rotation_speed(&setting.string, surface_speed, bit.torque_dynamic);
+    let faster = |motor: &MudMotor| motor.relative_speed(bit.torque_dynamic);
+    bit.torque_at((speed + setting.motor.as_ref().map_or(0.0, faster)).abs())
 }

@@ -324,7 +324,8 @@ fn what_does_not_go_with_a_mud_motor_is_refused_by_its_key() {
             "motor.stall_torque_kn_m",
         ),
         (MOTOR.to_owned(), "motor"),
-        (before("start = \"smooth\""), "start"),
+        (before("start = \"stuck\""), "start"),
+        (before("start = \"both\""), "start"),
         (before("accuracy = \"1 %\""), "accuracy"),
         (
             before("methods = [\"held\", \"finite-element\"]\ncertify = true"),

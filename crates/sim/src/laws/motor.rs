@@ -95,13 +95,18 @@ pub(crate) fn meet_below<A>(
 }
 
 impl MotorMotion {
-    /// At rest, in steps of a length, s.
-    pub(crate) fn new(motor: MudMotor, step: f64) -> Self {
+    /// With a bit that turns at a speed (rad/s), in steps of a length, s.
+    pub(crate) fn new(motor: MudMotor, step: f64, bit_speed: f64) -> Self {
         Self {
             motor,
             inertia: motor.rotor_inertia / step,
-            bit_speed: 0.0,
+            bit_speed,
         }
+    }
+
+    /// How fast the bit turns, rad/s.
+    pub(crate) fn bit_speed(&self) -> f64 {
+        self.bit_speed
     }
 
     /// Ends a step of the bit at a speed, rad/s.
@@ -193,8 +198,7 @@ mod tests {
             let motor = MudMotor { speed, slip: part * speed / stall_torque, stall_torque, rotor_inertia };
             prop_assert!(motor.check().is_ok());
             let step = 1.0 / 640.0;
-            let mut motion = MotorMotion::new(motor, step);
-            motion.end_step(bit_speed);
+            let motion = MotorMotion::new(motor, step, bit_speed);
             let law = BitTorque { torque_static, torque_dynamic: ratio * torque_static, decay_speed: 0.0 };
             let before = BitMotion::of(bit_speed);
             let line = LoadLine { time: 0.0, free_speed, compliance };

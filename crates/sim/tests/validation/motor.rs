@@ -3,10 +3,15 @@
 
 use crate::bits::bit;
 use linear::estimates::{torsional_impedance, torsional_travel_time};
-use linear::{ChannelRequest, Drillstring, Method, Request, Sites};
+use linear::{ChannelRequest, Drillstring, Method, Request, Sites, steady};
+use problems::academic;
 use problems::methods;
 use problems::pipes;
-use sim::{BitTorque, MudMotor, Scene, Simulator, Start, Stopping, Timing, Trajectory};
+use sim::laws::contact::Touch;
+use sim::{
+    BitTorque, Impulse, Lateral, MudMotor, Scene, Simulator, Start, Stopping, Timing, Trajectory,
+    Wall,
+};
 
 const FREQUENCY: f64 = 1000.0;
 
@@ -134,4 +139,166 @@ fn val_a_steady_bit_turns_faster_than_the_string_by_the_chart() {
         let passed = record.mud_motor_torque.last().unwrap();
         assert!((passed / torque - 1.0).abs() < 1e-4, "{torque}: {passed}");
     }
+}
+
+/// A string with walls above a motor, or without one, that is pushed while it turns steadily.
+struct Whirling {
+    distances: &'static [f64],
+    clearances: &'static [f64],
+    motor: Option<MudMotor>,
+    surface_speed: f64,
+    pushed: usize,
+}
+
+/// Torque on a bit that always slides, N m.
+const SLIDING: f64 = 1500.0;
+
+impl Whirling {
+    fn record(&self) -> Trajectory {
+        let string = academic::string();
+        let request = academic::lateral_request(&string, self.distances, 4.0);
+        let sites = &request.sites;
+        let start = steady::rotation(&string, sites, self.surface_speed, SLIDING);
+        let responses = linear::responses(&string, &Method::Quadrature, &request).unwrap();
+        let mut simulator = Simulator::new(&responses).unwrap();
+        if let Some(motor) = self.motor {
+            simulator = simulator.above_motor(motor).unwrap();
+        }
+        let wall = |clearance: &f64| Wall {
+            clearance: *clearance,
+            stiffness: 1e9,
+            friction: 0.3,
+            dynamic_ratio: 1.0,
+            stribeck_speed: 0.0,
+            radius: 0.15,
+        };
+        let impulse = Impulse {
+            site: self.pushed,
+            amount: 4000.0,
+            start: 0.5,
+            duration: 0.02,
+            direction: 0.0,
+        };
+        let scene: Scene = Scene {
+            surface_speed: self.surface_speed,
+            start: Start::Steady(start),
+            bit: Some(bit(SLIDING, SLIDING)),
+            friction: Vec::new(),
+            axial: None,
+            lateral: Some(Lateral {
+                walls: self.clearances.iter().map(wall).collect(),
+                impulses: vec![impulse],
+                eccentric_masses: vec![],
+                lying: None,
+                shocks: None,
+            }),
+            timing: Timing {
+                duration: 4.0,
+                closing_window: 1.0,
+            },
+        };
+        let mut record = Trajectory::default();
+        simulator
+            .simulate(&scene, Stopping::Full, Some(&mut record))
+            .unwrap();
+        record
+    }
+
+    /// How far a site that strikes its wall is from where that of another is, at most, in parts of its
+    /// clearance.
+    fn apart(&self, other: &Self, site: usize) -> f64 {
+        let [one, other] = [self, other].map(Self::record);
+        let touches = one.touches[site].iter().filter(|it| **it != Touch::Free);
+        assert!(touches.count() > 100);
+        let places = one.positions[site].iter().zip(&other.positions[site]);
+        let apart = places.map(|(one, other)| (one[0] - other[0]).hypot(one[1] - other[1]));
+        apart.fold(0.0, f64::max) / self.clearances[site]
+    }
+}
+
+/// A rotor that hardly weighs anything and never gives way adds its speed, no more: at its wall the bit
+/// moves as that of a string without a motor that turns as much faster.
+#[test]
+fn val_a_bit_below_a_motor_meets_its_wall_at_its_own_speed() {
+    let motor = MudMotor {
+        slip: 0.0,
+        stall_torque: 1e9,
+        rotor_inertia: 1e-6,
+        ..MOTOR
+    };
+    let below = Whirling {
+        distances: &[0.0],
+        clearances: &[0.015],
+        motor: Some(motor),
+        surface_speed: 4.0,
+        pushed: 0,
+    };
+    let alone = Whirling {
+        motor: None,
+        surface_speed: 4.0 + motor.speed,
+        ..below
+    };
+    let apart = below.apart(&alone, 0);
+    assert!(apart < 1e-4, "{apart}");
+    // At the speed of its string it would move otherwise.
+    let slower = Whirling {
+        motor: None,
+        ..below
+    };
+    let apart = below.apart(&slower, 0);
+    assert!(apart > 0.1, "{apart}");
+}
+
+/// What touches above a motor turns with the string, on which a bit that always slides has the same
+/// torque at any speed.
+#[test]
+fn val_walls_above_a_motor_turn_with_the_string() {
+    let motor = MudMotor {
+        rotor_inertia: 1e-6,
+        ..MOTOR
+    };
+    let above = Whirling {
+        distances: &[60.0, 0.0],
+        clearances: &[0.015, 1.0],
+        motor: Some(motor),
+        surface_speed: 8.0,
+        pushed: 0,
+    };
+    let alone = Whirling {
+        motor: None,
+        ..above
+    };
+    let apart = above.apart(&alone, 0);
+    assert!(apart < 1e-4, "{apart}");
+}
+
+/// Rock and wall act on the rotor together, and the motor on it by its chart.
+#[test]
+fn val_rock_wall_and_motor_balance_the_rotor() {
+    let record = Whirling {
+        distances: &[0.0],
+        clearances: &[0.015],
+        motor: Some(MOTOR),
+        surface_speed: 4.0,
+        pushed: 0,
+    }
+    .record();
+    let speeds = &record.speeds[0];
+    let mut hardest: f64 = 0.0;
+    for step in 1..speeds.len() {
+        let changed = academic::SAMPLING_FREQUENCY * (speeds[step] - speeds[step - 1]);
+        let [motor, rock, wall] = [
+            &record.mud_motor_torque,
+            &record.bit_torque,
+            &record.wall_torques[0],
+        ]
+        .map(|torques| torques[step]);
+        let left = MOTOR.rotor_inertia * changed - (motor + rock + wall);
+        assert!(
+            left.abs() < 1e-6 * (motor.abs() + rock.abs() + wall.abs()),
+            "{step}: {left}"
+        );
+        hardest = hardest.max(wall.abs());
+    }
+    assert!(hardest > 100.0, "{hardest}");
 }
