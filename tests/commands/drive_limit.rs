@@ -3,7 +3,8 @@
 
 use serde_json::Value;
 
-use crate::support::{SMALL, Workplace, with};
+use super::cutting::{columns, done};
+use crate::support::{CUTTING, SMALL, Workplace, with};
 
 /// The small string below a drive, without the place that is only observed, and other keys before
 /// all tables.
@@ -94,6 +95,69 @@ fn inspect_says_that_the_torque_is_limited_and_what_follows() {
     assert!(!found.output.contains("limited to"), "{}", found.output);
 }
 
+/// Below a drive that could give any torque labels are those below the linear one, with walls, friction along
+/// the string, a motor, a bit that cuts and places that are only observed; one that has little gives no
+/// more, in rows and histories.
+#[test]
+fn it_turns_a_string_with_all_that_acts_on_it() {
+    const SITES: &str = "[[sites]]\ndistance_from_bit_m = 0\n[[sites]]\ndistance_from_bit_m = 50\n";
+    const FRICTION: &str = "[well]\ninclination_deg = 60\n[string_friction]\nstatic_coefficient = 0.1\n\
+                            pieces = 4\n";
+    const MOTOR: &str = "[motor]\nspeed_rpm = 100\nstall_torque_kn_m = 10\n";
+    let walls = format!(
+        "[string.bending]\nyoungs_modulus_gpa = 206\ndamping_ns_m2 = 100\n[wall]\nclearance_mm = 20\n\
+         friction = 0.3\n{SITES}[[impulses]]\ndistance_from_bit_m = 0\namount_ns = 3000\nstart_s = 1\n"
+    );
+    let rises = "surface_speed_rise_s = 2\ntime_s = 12\n";
+    let small = |more: &str, drive: &str| {
+        let text = with(&below(drive, ""), "time_s = 12\n", rises);
+        format!("{text}\n{more}")
+    };
+    let labels = |text: &str| {
+        let place = Workplace::with_small(text);
+        done(&place, &["run", "small.toml", "--out", "out"]);
+        columns(&place, "out/labels.csv", ["torsion", "lateral"])
+    };
+    for (more, method) in [
+        (SITES.to_owned(), "quadrature"),
+        (walls.clone(), "finite-element"),
+        (format!("{walls}{MOTOR}"), "quadrature"),
+        (FRICTION.to_owned(), "held"),
+        (format!("{MOTOR}{FRICTION}"), "quadrature"),
+    ] {
+        let by_method = format!("\"{method}\"");
+        let text = |drive: &str| small(&more, drive).replace("\"quadrature\"", &by_method);
+        assert_eq!(labels(&text(&limited(1e5))), labels(&text("")), "{more}");
+        within_its_limit(&text(&limited(2.0)), 2000.0);
+    }
+    let cutting = |drive: &str| {
+        let drive = format!(
+            "[top_drive]\ninertia_kg_m2 = 2000\ncontroller = \"stiff\"\n{drive}\n[design]\n"
+        );
+        let rises = "surface_speed_rise_s = 2\ntime_s = 20\n";
+        with(&with(CUTTING, "[design]\n", &drive), "time_s = 20\n", rises)
+    };
+    let steady = |drive: &str| column(&cutting(drive), "axial");
+    assert_eq!(steady(&limited(1e5)), steady(""));
+    within_its_limit(&cutting(&limited(2.0)), 2000.0);
+}
+
+/// The drive meets its limit (N m), and gives no more.
+fn within_its_limit(text: &str, limit: f64) {
+    let number = |text: &String| text.parse::<f64>().unwrap();
+    let peaks = column(text, "surface_torque_peak_nm");
+    assert!(peaks.iter().all(|peak| number(peak) <= limit), "{peaks:?}");
+    assert!(
+        peaks.iter().any(|peak| number(peak) == limit),
+        "{peaks:?}\n{text}"
+    );
+    let place = Workplace::with_small(text);
+    let simulated = place.answer(&["simulate", "small.toml", "--case", "3", "--out", "out"]);
+    assert_eq!(simulated.code, 0, "{}", simulated.errors);
+    let history = columns(&place, "out/history.csv", ["motor_torque_nm"]).concat();
+    assert!(history.iter().all(|torque| number(torque).abs() <= limit));
+}
+
 #[test]
 fn what_does_not_go_with_it_is_refused_by_its_key() {
     let limit = limited(20.0);
@@ -115,29 +179,10 @@ fn what_does_not_go_with_it_is_refused_by_its_key() {
         ),
         (
             &limit,
-            "sites = [{ distance_from_bit_m = 50 }]\n",
             "",
-            "sites",
+            "[string_friction]\nstatic_coefficient = 0.3\ntorque_along_string = true\n[well]\ninclination_deg = 60\n",
+            "string_friction.torque_along_string",
         ),
-        (
-            &limit,
-            "",
-            "[string_friction]\nstatic_coefficient = 0.3\n[well]\ninclination_deg = 60\n",
-            "string_friction",
-        ),
-        (
-            &limit,
-            "sites = [{ distance_from_bit_m = 0 }]\n",
-            "[wall]\nclearance_mm = 15\nfriction = 0.5\n",
-            "wall",
-        ),
-        (
-            &limit,
-            "",
-            "[motor]\nspeed_rpm = 120\nstall_torque_kn_m = 10\nrotor_inertia_kg_m2 = 3\n",
-            "motor",
-        ),
-        (&limit, "", "[bit.cutting]\nblades = 5\n", "bit.cutting"),
     ] {
         let mut text = below(drive, keys);
         if keys.contains("methods") || keys.contains("accuracy") {

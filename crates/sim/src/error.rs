@@ -62,10 +62,17 @@ pub enum SimulationError {
         /// The site.
         site: usize,
     },
-    /// A drive of limited torque turns a string on which something else may act than a torque on its
-    /// bit.
-    #[error("a drive of limited torque turns a string on which nothing acts but its bit")]
-    NotAloneBelowDrive,
+    /// A drive of limited torque is not that of the string.
+    #[error(
+        "a drive of limited torque turns a string as a whole with torques at {found} sites, not one in pieces or \
+         with {ports}"
+    )]
+    NotOfItsDrive {
+        /// Sites of the string that torques may act on.
+        ports: usize,
+        /// Of the drive.
+        found: usize,
+    },
     /// Within a step a drive opposes more than all that there is.
     #[error(
         "the drive's controller is too stiff for these steps; a higher sampling frequency lets its \

@@ -9,14 +9,15 @@
 //! further from what the motor can give, and follows e where it would not (conditional integration).
 //! To the string of the responses the difference, T_x = T_own − T, is one more torque at the surface.
 //! Of that the speed there, v, is all that is not known in a step: with P what its past leaves of
-//! K_p e + Q, T = P − G v; and the string answers with v = v₀ + g T_x, v₀ that of the torque on the
-//! bit. K_p e + Q_own falls with v, so that one of three lines is met: none of the torque is missing,
-//! or it is T_most or −T_most; and on each the bit sees one more load line.
+//! K_p e + Q, T = P − G v; and the string answers with v = v₀ + g T_x, v₀ that of the torques below.
+//! K_p e + Q_own falls with v, so that one of three lines is met: none of the torque is missing,
+//! or it is T_most or −T_most; and on each a bit that is alone sees one more load line. Where torques
+//! act at more places, which hardly feel the surface within a step, they and the drive are solved in turn.
 //!
 //! By means over a step (`held`) Q is exact at the ends of steps, and within one as if e were straight.
 
 use linear::budget::REAL;
-use linear::{DrivenSurface, IntegralRule, TopDrive};
+use linear::{DrivenSurface, GrowingTorque, IntegralRule, TopDrive};
 
 use crate::convolution::Convolution;
 use crate::error::SimulationError;
@@ -29,13 +30,12 @@ use crate::sampling::Sampling;
 use crate::start::Start;
 use crate::surface::{SurfaceProfile, SurfaceResponse};
 
-/// The port of the bit, and that of the surface.
-const BIT: usize = 0;
+/// A place where a torque acts on the string, and the surface, in what one makes of the other.
+const PORT: usize = 0;
 const SURFACE: usize = 1;
-const PORTS: usize = 2;
+const BOTH: usize = 2;
 
-/// A drive of limited torque as all cases share it, above a string on which nothing else acts but
-/// the torque on its bit.
+/// A drive of limited torque as all cases share it, above a string with ports at which torques act.
 #[derive(Debug, Clone)]
 pub struct LimitedDrive {
     drive: TopDrive,
@@ -43,8 +43,9 @@ pub struct LimitedDrive {
     limit: f64,
     integral: IntegralRule,
     sampling: Sampling,
-    /// From torques at bit and surface to speeds, without that of the bit from its own.
-    from_torques: Channel<1, 1>,
+    /// Of each port, from torques there and at the surface to speeds, without its own to itself; with that
+    /// of the surface in the last alone.
+    from_torques: Vec<Channel<1, 1>>,
     /// What the drive is set to, and how fast its surface then turns, per unit of the speed of a
     /// scene.
     set: SurfaceResponse,
@@ -54,24 +55,26 @@ pub struct LimitedDrive {
 }
 
 impl LimitedDrive {
-    /// Bytes for responses of a number of taps.
-    pub(crate) fn bytes(taps: usize) -> f64 {
-        Channel::<1, 1>::bytes_of_taps(PORTS, taps, false) + 2.0 * SurfaceResponse::bytes(taps)
+    /// Bytes for a number of ports and responses of a number of taps.
+    pub(crate) fn bytes(ports: usize, taps: usize) -> f64 {
+        ports as f64 * Channel::<1, 1>::bytes_of_taps(BOTH, taps, false)
+            + 2.0 * SurfaceResponse::bytes(taps)
     }
 
     /// Bytes of a case of a number of steps, and of its torques in them.
-    pub(crate) fn case_bytes(taps: usize, steps: f64) -> f64 {
-        Convolution::bytes(PORTS, 1, taps, steps) + REAL * steps
+    pub(crate) fn case_bytes(ports: usize, taps: usize, steps: f64) -> f64 {
+        ports as f64 * Convolution::bytes(BOTH, 1, taps, steps) + REAL * steps
     }
 
     /// The drive of a string, whose greatest torque is `limit` (N m), for cases in which it is set
-    /// to its speed by a profile; the last site is the bit.
+    /// to its speed by a profile, and torques act on the sites of these numbers.
     ///
     /// # Errors
-    /// Where the limit or the profile is out of range, or no torque could hold the drive within a
-    /// step of this length.
+    /// Where there is no such site, the limit or the profile is out of range, or no torque could hold the
+    /// drive within a step of this length.
     pub fn new(
         surface: &DrivenSurface,
+        ports: &[usize],
         limit: f64,
         profile: &SurfaceProfile,
     ) -> Result<Self, SimulationError> {
@@ -82,8 +85,10 @@ impl LimitedDrive {
             surface.method.collocation_offset(),
         );
         let (own, set) = (&surface.speed_by_torque, &surface.speed_by_set);
-        let bit = surface.sites_by_torque.last();
-        let (Some(to_bit), false) = (bit, own.is_empty()) else {
+        let to_ports: Option<Vec<&Vec<f64>>> = (ports.iter())
+            .map(|&port| surface.sites_by_torque.get(port))
+            .collect();
+        let (Some(to_ports), false) = (to_ports, own.is_empty() || ports.is_empty()) else {
             return Err(linear::ResponseError::Shape.into());
         };
         let none = vec![0.0; own.len()];
@@ -97,7 +102,16 @@ impl LimitedDrive {
             limit,
             integral: surface.integral,
             sampling,
-            from_torques: Channel::of_taps(&[vec![&none, to_bit], vec![to_bit, own]]),
+            from_torques: (to_ports.iter().enumerate())
+                .map(|(port, to_port)| {
+                    let own = if port + 1 == to_ports.len() {
+                        own
+                    } else {
+                        &none
+                    };
+                    Channel::of_taps(&[vec![&none, *to_port], vec![*to_port, own]])
+                })
+                .collect(),
             set: SurfaceResponse::new(&[1.0], profile, sampling),
             turned: SurfaceResponse::new(set, profile, sampling),
             opposes,
@@ -109,18 +123,43 @@ impl LimitedDrive {
         self.limit
     }
 
+    /// At how many ports torques act below it.
+    pub(crate) fn ports(&self) -> usize {
+        self.from_torques.len()
+    }
+
+    /// g, rad/s per N m.
+    fn own(&self) -> f64 {
+        let last = self.from_torques.last();
+        last.map_or(0.0, |last| last.instant(SURFACE, SURFACE))
+    }
+
+    /// How far a torque at the surface turns a port within the step, and the other way, rad/s per N m.
+    fn across(&self, port: usize) -> f64 {
+        self.from_torques[port].instant(PORT, SURFACE)
+    }
+
     /// By which steps.
     pub(crate) fn sampling(&self) -> Sampling {
         self.sampling
     }
 
-    /// At the beginning of a case of a number of steps.
-    pub(crate) fn begin(&self, surface_speed: f64, start: &Start, steps: usize) -> DriveMotion<'_> {
+    /// At the beginning of a case of a number of steps; in a steady motion walls may take `by_walls` (N m),
+    /// which its torque at the surface does not have.
+    pub(crate) fn begin(
+        &self,
+        surface_speed: f64,
+        (start, by_walls): (&Start, f64),
+        steps: usize,
+    ) -> DriveMotion<'_> {
         let drive = self.drive;
         let reference = match start.steady() {
             None => Reference::Rest(surface_speed),
             Some(motion) => {
-                let torque = motion.at_surface;
+                let torque = GrowingTorque {
+                    torque: motion.at_surface.torque + by_walls,
+                    ..motion.at_surface
+                };
                 // What stays of the error makes the torque, or the rate at which it grows.
                 let error = match drive.integral_gain > 0.0 {
                     true => torque.rate / drive.integral_gain,
@@ -134,7 +173,9 @@ impl LimitedDrive {
         };
         DriveMotion {
             drive: self,
-            past: self.from_torques.past(steps),
+            pasts: (self.from_torques.iter())
+                .map(|channel| channel.past(steps))
+                .collect(),
             errors: [0.0; 2],
             integrals: [0.0; 2],
             integral_torque: reference.integral_torque(0.0),
@@ -144,6 +185,9 @@ impl LimitedDrive {
         }
     }
 }
+
+/// The part of its greatest torque by which the drive's may be off.
+const SETTLED: f64 = 1e-9;
 
 /// The motion that is stepped from: all else is what differs from it.
 #[derive(Debug, Clone, Copy)]
@@ -171,7 +215,8 @@ impl Reference {
 #[derive(Debug)]
 pub(crate) struct DriveMotion<'a> {
     drive: &'a LimitedDrive,
-    past: Past<'a, 1, 1>,
+    /// Of each port with the surface.
+    pasts: Vec<Past<'a, 1, 1>>,
     reference: Reference,
     /// Errors of the speed in the last two steps, rad/s, and their integrals, rad; of a case that
     /// began with a steady motion, what they differ by.
@@ -189,8 +234,6 @@ pub(crate) struct DriveMotion<'a> {
 struct Now {
     /// What past torques make of the speed of the surface, rad/s, less the reference's own.
     free_speed: f64,
-    /// The same of the bit.
-    free_bit_speed: f64,
     /// The set speed less that of the reference, rad/s.
     set: f64,
     /// Integral without the error of this step, rad.
@@ -214,24 +257,34 @@ enum Meets {
 }
 
 impl DriveMotion<'_> {
-    /// What this step is without its torques, but for one of the reference motion that is taken
-    /// from the bit (N m).
+    /// What this step is without its torques, but for some that act on ports anyhow (with their numbers,
+    /// N m); adds what the drive did so far to how the ports turn freely, rad/s.
     #[inline]
-    pub(crate) fn find_free_motion(&mut self, step: usize, time: f64, held: f64) {
+    pub(crate) fn find_free_motion(
+        &mut self,
+        (step, time): (usize, f64),
+        acting: impl Iterator<Item = (usize, f64)>,
+        free: &mut [f64],
+    ) {
         let (drive, rule) = (self.drive, &self.drive.integral);
-        let mut speeds = [0.0; PORTS];
-        self.past.write_past(&mut speeds);
+        let mut of_past = 0.0;
+        for (past, free) in self.pasts.iter().zip(free) {
+            let mut speeds = [0.0; BOTH];
+            past.write_past(&mut speeds);
+            of_past += speeds[SURFACE];
+            *free += speeds[PORT];
+        }
         let (set, turned) = match self.reference {
             Reference::Rest(speed) => (speed * drive.set.at(step), speed * drive.turned.at(step)),
             Reference::Steady { .. } => (0.0, 0.0),
         };
+        let by_acting = acting.map(|(port, torque)| drive.across(port) * torque);
         let [newest, before, earlier] = rule.of_values;
         let past = before * self.errors[0] + earlier * self.errors[1];
         let kept =
             rule.of_integrals[0] * self.integrals[0] + rule.of_integrals[1] * self.integrals[1];
         self.now = Now {
-            free_speed: speeds[SURFACE] + turned - drive.from_torques.instant(SURFACE, BIT) * held,
-            free_bit_speed: speeds[BIT],
+            free_speed: by_acting.fold(of_past + turned, |sum, speed| sum + speed),
             set,
             integral: past + kept + newest * set,
             base: self.reference.integral_torque(time),
@@ -247,36 +300,31 @@ impl DriveMotion<'_> {
             - self.drive.opposes * speed
     }
 
-    /// What acts on the bit, as it answers to its load line with its torque (N m, positive with the
-    /// rotation) and its speed (rad/s): where string, drive and bit agree. Where a bit that sticks
-    /// in one way and slips in the other leaves no such line, the drive gives its most.
+    /// What acts on the bit, alone of all ports, as it answers to its load line with its torque (N m,
+    /// positive with the rotation) and its speed (rad/s): where string, drive and bit agree. Where a bit
+    /// that sticks in one way and slips in the other leaves no such line, the drive gives its most.
     #[inline]
     pub(crate) fn meet<A>(
         &mut self,
-        line: LoadLine,
+        (port, line): (usize, LoadLine),
         act: impl Fn(LoadLine) -> (A, StringEnd),
     ) -> (A, StringEnd) {
-        let line = LoadLine {
-            free_speed: line.free_speed + self.now.free_bit_speed,
-            ..line
-        };
-        let met = act(self.line(line, Meets::Asked));
-        let asked = self.take(Meets::Asked, met.1.torque);
+        let across = self.drive.across(port);
+        let met = act(self.line(across, line, Meets::Asked));
+        let asked = self.take(Meets::Asked, across * met.1.torque);
         if asked.abs() <= self.drive.limit {
             return met;
         }
         let most = Meets::Most(asked.signum());
-        let met = act(self.line(line, most));
-        self.take(most, met.1.torque);
+        let met = act(self.line(across, line, most));
+        self.take(most, across * met.1.torque);
         met
     }
 
     /// The load line of the bit on one of the drive's lines.
-    fn line(&self, line: LoadLine, meets: Meets) -> LoadLine {
-        let torques = &self.drive.from_torques;
-        let across = torques.instant(BIT, SURFACE);
+    fn line(&self, across: f64, line: LoadLine, meets: Meets) -> LoadLine {
         // Without a torque on the bit, and by how much it changes with that.
-        let [alone, with_one] = [0.0, 1.0].map(|torque| self.extra(meets, torque));
+        let [alone, with_one] = [0.0, 1.0].map(|torque| self.extra(meets, across * torque));
         LoadLine {
             free_speed: line.free_speed + across * alone,
             compliance: line.compliance + across * (with_one - alone),
@@ -284,26 +332,57 @@ impl DriveMotion<'_> {
         }
     }
 
-    /// T_x on one of the drive's lines under a torque on the bit, N m.
-    fn extra(&self, meets: Meets, bit_torque: f64) -> f64 {
+    /// How fast the torques on all ports (N m) turn the surface within the step, rad/s.
+    pub(crate) fn turned_by(&self, torques: impl Iterator<Item = f64>) -> f64 {
+        let speeds = torques
+            .enumerate()
+            .map(|(port, torque)| self.drive.across(port) * torque);
+        speeds.sum()
+    }
+
+    /// Answers to torques on the ports that turn the surface by so much (rad/s); gives by how much its
+    /// torque differs from that of the linear drive, N m.
+    pub(crate) fn answer(&mut self, turned: f64) -> f64 {
+        let asked = self.take(Meets::Asked, turned);
+        if asked.abs() > self.drive.limit {
+            self.take(Meets::Most(asked.signum()), turned);
+        }
+        self.now.extra
+    }
+
+    /// Whether a difference of what turns the surface (rad/s) does not matter.
+    pub(crate) fn is_negligible(&self, difference: f64) -> bool {
+        difference.abs() * self.drive.opposes <= SETTLED * self.drive.limit
+    }
+
+    /// How far a torque at the surface (N m) turns a port within the step, rad/s.
+    #[inline]
+    pub(crate) fn turns_by(&self, port: usize, torque: f64) -> f64 {
+        self.drive.across(port) * torque
+    }
+
+    /// How far its own torque turns a port within the step otherwise than the linear drive's, rad/s.
+    #[inline]
+    pub(crate) fn turns(&self, port: usize) -> f64 {
+        self.turns_by(port, self.now.extra)
+    }
+
+    /// T_x on one of the drive's lines, N m, while torques on ports turn the surface by so much, rad/s.
+    fn extra(&self, meets: Meets, turned: f64) -> f64 {
         let Meets::Most(sign) = meets else {
             return -self.withheld;
         };
-        let torques = &self.drive.from_torques;
-        let free = self.now.free_speed + torques.instant(SURFACE, BIT) * bit_torque;
+        let free = self.now.free_speed + turned;
         let missing = sign * self.drive.limit - self.linear_torque(free);
-        missing / (1.0 - torques.instant(SURFACE, SURFACE) * self.drive.opposes)
+        missing / (1.0 - self.drive.own() * self.drive.opposes)
     }
 
-    /// Takes one of the drive's lines under a torque on the bit (N m); gives what the controller
-    /// then asks for, N m.
-    fn take(&mut self, meets: Meets, bit_torque: f64) -> f64 {
-        let torques = &self.drive.from_torques;
-        let extra = self.extra(meets, bit_torque);
+    /// Takes one of the drive's lines while torques on ports turn the surface by so much (rad/s); gives
+    /// what the controller then asks for, N m.
+    fn take(&mut self, meets: Meets, turned: f64) -> f64 {
+        let extra = self.extra(meets, turned);
         self.now.extra = extra;
-        self.now.speed = self.now.free_speed
-            + torques.instant(SURFACE, BIT) * bit_torque
-            + torques.instant(SURFACE, SURFACE) * extra;
+        self.now.speed = self.now.free_speed + turned + self.drive.own() * extra;
         let asked = self.linear_torque(self.now.speed) - self.withheld;
         self.now.torque = match meets {
             Meets::Asked => asked,
@@ -312,10 +391,10 @@ impl DriveMotion<'_> {
         asked
     }
 
-    /// Ends a step with the torque on the bit, N m, of a case that began with a steady motion what
-    /// that differs by; gives what turned the surface.
+    /// Ends a step with the torques on the ports, N m, of a case that began with a steady motion what
+    /// they differ by; gives what turned the surface.
     #[inline]
-    pub(crate) fn end_step(&mut self, bit_torque: f64) -> SurfaceStep {
+    pub(crate) fn end_step(&mut self, torques: &[f64]) -> SurfaceStep {
         let Now {
             set,
             integral,
@@ -337,7 +416,9 @@ impl DriveMotion<'_> {
         if is_limited && change * torque > 0.0 {
             self.withheld += change;
         }
-        self.past.add(&[bit_torque, extra]);
+        for (past, torque) in self.pasts.iter_mut().zip(torques) {
+            past.add(&[*torque, extra]);
+        }
         let of_reference = match self.reference {
             Reference::Rest(_) => 0.0,
             Reference::Steady { speed, .. } => speed,

@@ -226,9 +226,18 @@ impl SimulatorPlan {
             .axial
             .map(|taps| Torsion::bytes_of_taps(1, taps, true) + SurfaceResponse::bytes(taps));
         let alone = self.alone().map(|taps| BitAlone::need(taps, self.steps));
-        let limited = self.limited.map_or(0.0, LimitedDrive::bytes);
+        let limited = (self.limited).map_or(0.0, |taps| LimitedDrive::bytes(self.ports(), taps));
         Need::lasting(line + bending + along.unwrap_or(0.0) + limited)
             .then(alone.unwrap_or_default())
+    }
+
+    /// Places at which torques may act.
+    fn ports(&self) -> usize {
+        match self.line {
+            Line::Taps { loads, .. } => loads,
+            Line::Mesh { sites, .. } => sites,
+            Line::Pieces { nodes, .. } => nodes,
+        }
     }
 
     /// Taps of the bit, where nothing acts but the torque on it.
@@ -270,9 +279,9 @@ impl SimulatorPlan {
             true => SwingWatch::bytes(walls),
             false => 0.0,
         };
-        let limited = self
-            .limited
-            .map_or(0.0, |taps| LimitedDrive::case_bytes(taps, steps));
+        let limited = self.limited.map_or(0.0, |taps| {
+            LimitedDrive::case_bytes(self.ports(), taps, steps)
+        });
         swings
             + limited
             + line

@@ -65,6 +65,9 @@ use crate::start::Start;
 use crate::system::System;
 use crate::wavering::Wavering;
 
+/// Turns in which a drive whose torque is limited and the ports below it have to agree.
+const MOST_TURNS_OF_DRIVE: usize = 100;
+
 /// One step of all sites that may bear a load.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -194,7 +197,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         let lateral = (scene.lateral.as_ref())
             .map(|lateral| LateralMotion::new(system, lateral, steps))
             .transpose()?;
-        let drive = system.limited_drive(scene, steps)?;
+        let drive = system.limited_drive(scene, steps);
         let friction = friction(scene, within)?;
         let walls = (scene.lateral.as_ref()).map_or(&[][..], |lateral| &lateral.walls);
         let radii: Vec<f64> = walls.iter().map(WallLaw::radius).collect();
@@ -260,6 +263,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         match (self.within, &self.lateral) {
             // No other port has to agree with the bit.
             (Within::All(torsion), None) if self.friction.is_empty() => self.meet_bit(torsion)?,
+            _ if self.drive.is_some() => self.meet_all_and_drive()?,
             _ => self.meet_all()?,
         }
         if let (Some((axial, _)), Some(cut)) = (&self.axial, &self.now.cut) {
@@ -297,9 +301,22 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             }
         }
         self.find_axial_motion();
-        if let Some(drive) = &mut self.drive {
-            drive.find_free_motion(step, self.now.time, self.held);
-        }
+        self.find_free_drive();
+    }
+
+    /// The same of a drive whose torque is limited: what acts on ports without their laws turns it, too.
+    #[inline]
+    fn find_free_drive(&mut self) {
+        let Some(drive) = &mut self.drive else {
+            return;
+        };
+        let lateral = self.lateral.iter();
+        let resting = lateral.flat_map(LateralMotion::resting_torques);
+        let acting = resting.map(|(port, torque)| (port, -torque));
+        let at_bit = acts_at_bit(self.bit, self.axial.as_ref())
+            .map(|port| (port, kick_of(self.axial.as_ref()) - self.held));
+        let step = (self.next, self.now.time);
+        drive.find_free_motion(step, acting.chain(at_bit), &mut self.free);
     }
 
     /// The same along the axis; a disturbance turns the bit, too.
@@ -358,20 +375,24 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         let motor = self.motor.as_ref();
         let met = match (self.bit, &self.axial) {
             (None, None) => (self.drive.as_mut()).map(|drive| {
-                let (_, end) = drive.meet(line(0), |line| ((), free_end(line)));
+                let (_, end) = drive.meet((0, line(0)), |line| ((), free_end(line)));
                 (0, end)
             }),
             (Some((law, port)), _) => {
                 let act = |line| meet_bit(law, &self.bit_state, motor, line);
                 let (bit, end) = match &mut self.drive {
                     None => act(line(port)),
-                    Some(drive) => drive.meet(line(port), act),
+                    Some(drive) => drive.meet((port, line(port)), act),
                 };
                 self.now.bit = Some(bit);
                 Some((port, end))
             }
             (None, Some((axial, port))) => {
-                let (cut, end) = meet_cut(axial, motor, line(*port));
+                let act = |line| meet_cut(axial, motor, line);
+                let (cut, end) = match &mut self.drive {
+                    None => act(line(*port)),
+                    Some(drive) => drive.meet((*port, line(*port)), act),
+                };
                 self.now.cut = Some(cut);
                 Some((*port, end))
             }
@@ -383,6 +404,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 let free = self.free.iter().enumerate();
                 for (speed, (index, free)) in speeds.iter_mut().zip(free) {
                     *speed = free + torsion.instant(index, port) * end.torque;
+                    if let Some(drive) = &self.drive {
+                        *speed += drive.turns(index);
+                    }
                 }
                 speeds[port] = end.speed;
                 self.coupling.set_torque(port, end.torque);
@@ -392,6 +416,30 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             None => Ok(()),
             Some(port) => Err(self.system.not_finite(port, time)),
         }
+    }
+
+    /// All laws of all ports, and the drive above them whose torque is limited: in turn, as the ports
+    /// hardly feel the surface within a step.
+    fn meet_all_and_drive(&mut self) -> Result<(), SimulationError> {
+        let (mut asked_for, mut given) = (None, 0.0);
+        for _ in 0..MOST_TURNS_OF_DRIVE {
+            let Some(drive) = &mut self.drive else {
+                return Ok(());
+            };
+            let torques = self.coupling.loads().iter().map(|load| load.torque);
+            let turned = drive.turned_by(torques);
+            if asked_for.is_some_and(|before: f64| drive.is_negligible(turned - before)) {
+                return Ok(());
+            }
+            let extra = drive.answer(turned);
+            for (port, free) in self.free.iter_mut().enumerate() {
+                *free += drive.turns_by(port, extra - given);
+            }
+            (asked_for, given) = (Some(turned), extra);
+            self.meet_all()?;
+        }
+        let time = self.now.time;
+        Err(SimulationError::NotSettled { time })
     }
 
     /// All laws of all ports at once.
@@ -487,8 +535,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             *torque = load.torque;
         }
         if let Some(port) = self.bit_port() {
-            let kick = (self.axial.as_ref()).map_or(0.0, |(axial, _)| axial.kick());
-            self.step_torques[port] += kick - self.held;
+            self.step_torques[port] += kick_of(self.axial.as_ref()) - self.held;
         }
         for (port, torque) in self.lateral.iter().flat_map(LateralMotion::resting_torques) {
             self.step_torques[port] -= torque;
@@ -509,8 +556,8 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 torque: surface.torque + motion.at_surface.at(self.now.time),
             },
         });
-        let bit_torque = self.step_torques.last().copied().unwrap_or_default();
-        let of_drive = self.drive.as_mut().map(|drive| drive.end_step(bit_torque));
+        let torques = self.step_torques.as_slice();
+        let of_drive = self.drive.as_mut().map(|drive| drive.end_step(torques));
         self.now.surface = of_drive.or(of_line);
         self.turned.copy_from_slice(&self.now.speeds);
         let at_bit = self.bit_port();
@@ -566,8 +613,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
 
     /// The port of the bit, where a law acts there.
     fn bit_port(&self) -> Option<usize> {
-        let cuts = self.axial.as_ref().map(|(_, port)| *port);
-        self.bit.map(|(_, port)| port).or(cuts)
+        acts_at_bit(self.bit, self.axial.as_ref())
     }
 
     /// Torque of the rock on the bit in the last step, where a law acts there, N m.
@@ -665,6 +711,17 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         }
         self.next += steps;
     }
+}
+
+/// The port of the bit, where a law acts there.
+fn acts_at_bit<B>(bit: Option<(&B, usize)>, axial: Option<&(AxialMotion, usize)>) -> Option<usize> {
+    let cuts = axial.map(|(_, port)| *port);
+    bit.map(|(_, port)| port).or(cuts)
+}
+
+/// The torque of a disturbance on a bit that cuts, N m.
+fn kick_of(axial: Option<&(AxialMotion, usize)>) -> f64 {
+    axial.map_or(0.0, |(axial, _)| axial.kick())
 }
 
 /// The end of a string that nothing acts on.

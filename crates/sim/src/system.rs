@@ -231,16 +231,15 @@ impl System {
     /// The same below a drive whose torque is limited.
     ///
     /// # Errors
-    /// Where something else may act than a torque on the bit, by responses of the same steps.
+    /// Where it is that of a string with torques at other sites, or with other steps, or the string is in
+    /// pieces.
     pub fn below_limited(self, drive: LimitedDrive) -> Result<Self, SimulationError> {
-        let is_alone = self.torsion.loaded().len() == 1
-            && self.bit_port().is_some()
-            && self.torsion.whole().is_some()
-            && self.from_forces.is_none()
-            && self.axial.is_none()
-            && self.motor.is_none();
-        if !is_alone || drive.sampling() != self.sampling {
-            return Err(SimulationError::NotAloneBelowDrive);
+        let (ports, found) = (self.torsion.loaded().len(), drive.ports());
+        if self.torsion.whole().is_none() || found != ports {
+            return Err(SimulationError::NotOfItsDrive { ports, found });
+        }
+        if drive.sampling() != self.sampling {
+            return Err(SimulationError::UnlikeSteps);
         }
         Ok(Self {
             drive: Some(drive),
@@ -307,16 +306,11 @@ impl System {
         &self,
         scene: &Scene<B, W>,
         steps: usize,
-    ) -> Result<Option<DriveMotion<'_>>, SimulationError> {
-        let Some(drive) = &self.drive else {
-            return Ok(None);
-        };
-        // What was added since acts on the string, too.
-        let is_alone = self.motor.is_none() && scene.axial.is_none() && scene.lateral.is_none();
-        if !is_alone || !scene.friction.is_empty() {
-            return Err(SimulationError::NotAloneBelowDrive);
-        }
-        Ok(Some(drive.begin(scene.surface_speed, &scene.start, steps)))
+    ) -> Option<DriveMotion<'_>> {
+        let lying = scene.lateral.as_ref().and_then(|it| it.lying.as_ref());
+        let by_walls = lying.map_or(0.0, |lying| -lying.torques.iter().sum::<f64>());
+        let begins = (&scene.start, by_walls);
+        (self.drive.as_ref()).map(|drive| drive.begin(scene.surface_speed, begins, steps))
     }
 
     /// The port of the bit, where a torque may act there.

@@ -78,7 +78,7 @@ impl Case {
         let mut timing = timing_by_rule(
             setting,
             surface_speed,
-            (all.as_ref(), bit.as_ref()),
+            all.as_ref(),
             &start,
             axial.as_ref().map(|axial| &axial.cutting),
         );

@@ -81,14 +81,16 @@ impl FollowedMethod {
 
     /// The motion of a case to the end of its time.
     fn follow(&self, case: &Case) -> Result<(Trajectory, Outcome)> {
-        let mut motion = Trajectory::default();
-        let simulated = self.case.simulate(case, Stopping::Full, Some(&mut motion));
-        let outcome = simulated.with_context(|| {
-            let method = self.case.method.name();
-            format!("case {} by {method}, followed to its end", case.index)
-        })?;
+        let (mut motion, outcome) = whole(&self.case, case)?;
         self.case.add_surface_torque(case, &mut motion);
-        let driven = (self.watched.as_ref()).and_then(|it| it.driven_speeds(case, &motion));
+        let driven = match &self.watched {
+            None => None,
+            // Such a drive turns all places.
+            Some(watched) if watched.setting.drive_limit.is_some() => {
+                Some(whole(watched, case)?.0.speeds)
+            }
+            Some(watched) => watched.driven_speeds(case, &motion),
+        };
         if let Some(mut speeds) = driven {
             // The bit, which is the last, has been simulated.
             speeds.pop();
@@ -97,6 +99,17 @@ impl FollowedMethod {
         }
         Ok((motion, outcome))
     }
+}
+
+/// The motion of a case by a system to the end of its time.
+fn whole(system: &MethodSystem, case: &Case) -> Result<(Trajectory, Outcome)> {
+    let mut motion = Trajectory::default();
+    let simulated = system.simulate(case, Stopping::Full, Some(&mut motion));
+    let outcome = simulated.with_context(|| {
+        let method = system.method.name();
+        format!("case {} by {method}, followed to its end", case.index)
+    })?;
+    Ok((motion, outcome))
 }
 
 /// The method, and what sets the case apart where there are several.

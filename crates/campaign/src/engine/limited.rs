@@ -2,12 +2,12 @@
 
 use anyhow::Result;
 use linear::{Budget, BuildError, DrivenSurfacePlan, Request, Responses};
-use sim::{LimitedDrive, Simulator, SimulatorPlan, System};
+use sim::{LimitedDrive, SimulatorPlan, System};
 
 use super::system_plan::SystemPlan;
 use crate::plan::Setting;
 
-/// Asks for what [`build`] takes, of a simulator that is planned but for the drive.
+/// Asks for what [`below`] takes, of a simulator that is planned but for the drive.
 ///
 /// # Errors
 /// Where the method cannot treat the drive, or it is more than is left.
@@ -26,16 +26,17 @@ pub(super) fn ask(
     Ok(simulator)
 }
 
-/// The simulator of such a string, whose drive gives no more than `limit`, N m.
+/// The same system below its drive, which gives no more than `limit` (N m), of `responses` in torsion; of a
+/// simulator that is planned but for that.
 ///
 /// # Errors
 /// Where the method cannot treat the drive, or more memory is needed than is left.
-pub(super) fn build(
-    setting: &Setting,
-    limit: f64,
+pub(super) fn below(
+    system: System,
+    (setting, limit): (&Setting, f64),
     responses: &Responses,
-    budget: &Budget,
-) -> Result<Simulator> {
+    (simulator, budget): (SimulatorPlan, &Budget),
+) -> Result<System> {
     let request = Request {
         sites: responses.sites.clone(),
         channels: Vec::new(),
@@ -46,8 +47,10 @@ pub(super) fn build(
     let passing = budget.part();
     let surface = plan.build(&passing)?;
     let taps = surface.speed_by_torque.len();
-    (SimulatorPlan::of_responses(responses).below_limited(taps)).ask(budget)?;
-    let drive = LimitedDrive::new(&surface, limit, &setting.profile)?;
-    let system = System::started(responses, &setting.profile)?;
-    Ok(Simulator::of(system.below_limited(drive)?))
+    simulator.below_limited(taps).ask(budget)?;
+    let ports = responses
+        .torsion()
+        .map_or(&[][..], |torsion| torsion.loads.as_slice());
+    let drive = LimitedDrive::new(&surface, ports, limit, &setting.profile)?;
+    Ok(system.below_limited(drive)?)
 }

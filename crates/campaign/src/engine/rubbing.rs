@@ -7,6 +7,7 @@ use linear::{
 };
 use sim::{Simulator, SimulatorPlan, SurfaceTorque, System};
 
+use super::limited;
 use super::system_plan::{Stepping, SystemPlan};
 use crate::plan::{Setting, StringFriction, is_in_pieces};
 
@@ -37,7 +38,7 @@ pub(super) fn ask(
     let (string, nodes) = (&setting.string, friction.nodes.len());
     // Goes once the simulator is there.
     let passing = budget.part();
-    if is_in_pieces(method) {
+    if is_in_pieces(method, setting.drive_limit) {
         let frequency = setting.sampling_frequency;
         let cascade = CascadePlan::new(string, method, &friction.nodes, frequency, time)?;
         cascade.ask(&passing)?;
@@ -59,12 +60,20 @@ pub(super) fn ask(
     let request = request(setting, friction, time);
     let of_nodes = ResponsePlan::new(string, method, &request)?;
     of_nodes.ask(&passing)?;
-    let of_surface = SurfaceTorquePlan::new(string, method, &request)?;
-    of_surface.ask(&passing)?;
-    SurfaceTorque::ask(nodes, of_surface.taps(), budget)?;
     let taps = of_nodes.torsion_taps();
     let by_responses = SimulatorPlan::by_responses(nodes, nodes, taps, plan.steps());
     let simulator = moves(by_responses.by_method(method));
+    if setting.drive_limit.is_some() {
+        return Ok(Stepping {
+            simulator: limited::ask(plan, &request, simulator, budget)?,
+            recorded: nodes,
+            taps,
+            follows_surface: false,
+        });
+    }
+    let of_surface = SurfaceTorquePlan::new(string, method, &request)?;
+    of_surface.ask(&passing)?;
+    SurfaceTorque::ask(nodes, of_surface.taps(), budget)?;
     simulator.ask(budget)?;
     Ok(Stepping {
         simulator,
@@ -102,7 +111,7 @@ pub(super) fn build(
         }
     };
     let passing = budget.part();
-    let (system, surface) = if is_in_pieces(method) {
+    let (system, surface) = if is_in_pieces(method, setting.drive_limit) {
         let plan = CascadePlan::new(string, method, &friction.nodes, frequency, longest_time)?;
         let cascade = plan.build(&passing)?;
         let taps = cascade.longest_response();
@@ -112,12 +121,25 @@ pub(super) fn build(
     } else {
         let request = request(setting, friction, longest_time);
         let of_nodes = ResponsePlan::new(string, method, &request)?.build(&passing)?;
-        let taps = SurfaceTorquePlan::new(string, method, &request)?.build(&passing)?;
-        SurfaceTorque::ask(nodes, taps.len(), budget)?;
-        let surface = SurfaceTorque::new(&of_nodes, &taps, profile, inertia)?
-            .answering_late(setting.drive_delay());
-        moves(SimulatorPlan::of_responses(&of_nodes)).ask(budget)?;
-        (System::started(&of_nodes, profile)?, Some(surface))
+        let plan = moves(SimulatorPlan::of_responses(&of_nodes));
+        let system = System::started(&of_nodes, profile)?;
+        match setting.drive_limit {
+            Some(limit) => {
+                let drive = (setting, limit);
+                (
+                    limited::below(system, drive, &of_nodes, (plan, budget))?,
+                    None,
+                )
+            }
+            None => {
+                let taps = SurfaceTorquePlan::new(string, method, &request)?.build(&passing)?;
+                SurfaceTorque::ask(nodes, taps.len(), budget)?;
+                let surface = SurfaceTorque::new(&of_nodes, &taps, profile, inertia)?
+                    .answering_late(setting.drive_delay());
+                plan.ask(budget)?;
+                (system, Some(surface))
+            }
+        }
     };
     let system = match &setting.lateral {
         None => system,

@@ -23,9 +23,10 @@ pub fn stepped_by<'a>(
     let lateral = setting.lateral.as_ref()?;
     // Sites that are found are other ones in every case, whose taps none would use again.
     let are_many = setting.sites.len() > MOST_BY_TAPS || lateral.finding.is_some();
-    // A string that rubs is stepped in pieces, and bends by taps.
-    let is_in_pieces = setting.friction.is_some();
-    (are_many && !is_in_pieces).then_some((lateral, *parameters))
+    // A string that rubs is stepped in pieces, and bends by taps; a drive whose torque is limited acts on
+    // taps.
+    let is_by_taps = setting.friction.is_some() || setting.drive_limit.is_some();
+    (are_many && !is_by_taps).then_some((lateral, *parameters))
 }
 
 /// The sites whose own responses are to be known: those of impulses, and the lowest.

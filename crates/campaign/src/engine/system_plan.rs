@@ -47,6 +47,8 @@ impl SystemPlan<'_> {
             _ if setting.friction.is_some() => Vec::new(),
             // Friction turns the string wherever it touches the wall.
             Some(_) => (0..sites).collect(),
+            // A drive whose torque is limited turns what is only observed, too.
+            None if setting.drive_limit.is_some() => (0..sites).collect(),
             None if self.cuts => vec![sites - 1],
             None => Vec::new(),
         };

@@ -27,12 +27,11 @@ const WHIRL_FADES: f64 = 3.0;
 const LONGEST_WHIRL: f64 = 60.0;
 
 /// The timing of a case at a surface speed (rad/s) that is long enough for its regimes to show, with
-/// all that holds the string back in torsion, what of that the bit does, how it starts and what it
-/// cuts.
+/// all that holds the string back in torsion, how it starts and what it cuts.
 pub(super) fn timing_by_rule(
     setting: &Setting,
     surface_speed: f64,
-    (all, bit): (Option<&BitTorque>, Option<&BitTorque>),
+    all: Option<&BitTorque>,
     start: &Start,
     cutting: Option<&Cutting>,
 ) -> Timing {
@@ -40,7 +39,7 @@ pub(super) fn timing_by_rule(
         torsion_timing(&setting.string, surface_speed, all, start)
     });
     if let Some(limit) = setting.drive_limit {
-        timing = timing.below_limited(&setting.string, surface_speed, bit, limit);
+        timing = timing.below_limited(&setting.string, surface_speed, all, limit);
     }
     if let Some(lateral) = &setting.lateral {
         // Two regimes have to be decided.
@@ -58,6 +57,9 @@ pub(super) fn timing_by_rule(
     }
     if let Some(cutting) = cutting {
         timing = while_it_drills(cutting, surface_speed);
+        if let Some(limit) = setting.drive_limit {
+            timing = timing.below_limited(&setting.string, surface_speed, None, limit);
+        }
     }
     if *start == Start::Rest {
         let fed = setting.cutting.as_ref().map_or(0.0, |it| it.profile.rise());

@@ -27,7 +27,9 @@ impl Sweep {
     /// that take long where others do not.
     pub fn notes(&self) -> Vec<String> {
         let friction = self.setting.friction.as_ref();
-        let of_methods = friction.and_then(|friction| slow_methods_note(&self.methods, friction));
+        let of_methods = friction.and_then(|friction| {
+            slow_methods_note(&self.methods, friction, self.setting.drive_limit)
+        });
         let of_sheet = self.sheet.iter().flat_map(|sheet| sheet.notes());
         of_sheet
             .chain(idle_tables(&self.content, &self.design))

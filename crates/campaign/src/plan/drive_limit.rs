@@ -28,36 +28,8 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Option<f64>, Sw
         ),
         (
             key,
-            content.bit.is_none(),
-            "needs a torque at the bit: [bit]",
-        ),
-        (
-            "bit.cutting",
-            content.has_cutting(),
-            "above a bit that cuts the drive is linear: leave one of [bit.cutting] and \
-             `top_drive.saturates` out",
-        ),
-        (
-            "wall",
-            content.wall.is_some(),
-            "the drive of a string with a [wall] is linear: leave one of that and \
-             `top_drive.saturates` out",
-        ),
-        (
-            "string_friction",
-            content.string_friction.is_some(),
-            "the drive of a string that rubs along its well is linear: leave one of [string_friction] \
-             and `top_drive.saturates` out",
-        ),
-        (
-            "motor",
-            content.motor.is_some(),
-            "above a [motor] the drive is linear: leave one of that and `top_drive.saturates` out",
-        ),
-        (
-            "sites",
-            !content.sites.is_empty(),
-            "below a drive whose torque is limited only the bit is followed: leave them out",
+            content.bit.is_none() && content.wall.is_none() && content.string_friction.is_none(),
+            "needs a torque on the string: [bit], [wall] or [string_friction]",
         ),
         (
             "accuracy",

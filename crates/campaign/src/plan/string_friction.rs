@@ -102,24 +102,35 @@ impl StringFriction {
 }
 
 /// Whether a method steps a string that rubs piece by piece, whose responses are short: where joining
-/// pieces and making responses of them may change places. By others responses of the whole string
-/// lead from each node to every other.
-pub fn is_in_pieces(method: &Method) -> bool {
-    matches!(method, Method::Quadrature | Method::FiniteElement(_))
+/// pieces and making responses of them may change places. By others, and below a drive whose torque is
+/// limited (N m), responses of the whole string lead from each node to every other.
+pub fn is_in_pieces(method: &Method, drive_limit: Option<f64>) -> bool {
+    let may_change_places = matches!(method, Method::Quadrature | Method::FiniteElement(_));
+    may_change_places && drive_limit.is_none()
 }
 
 /// What to know of the methods of a string that rubs in many pieces, where one takes minutes to build
 /// that others do not.
-pub fn slow_methods_note(methods: &[Method], friction: &StringFriction) -> Option<String> {
-    let slow = methods.iter().filter(|method| !is_in_pieces(method));
+pub fn slow_methods_note(
+    methods: &[Method],
+    friction: &StringFriction,
+    drive_limit: Option<f64>,
+) -> Option<String> {
+    let slow = methods
+        .iter()
+        .filter(|method| !is_in_pieces(method, drive_limit));
     let slow: Vec<&str> = slow.map(Method::name).collect();
     let are_many = friction.nodes.len() >= MANY_NODES;
     (are_many && !slow.is_empty()).then(|| {
         format!(
             "by {} the string rubs by responses between all of its {} pieces, which may take minutes \
-             to build; `quadrature` and `finite-element` step piece by piece, and begin at once",
+             to build; {}",
             slow.join(" and "),
-            friction.pieces
+            friction.pieces,
+            match drive_limit {
+                None => "`quadrature` and `finite-element` step piece by piece, and begin at once",
+                Some(_) => "fewer of them take less (`string_friction.pieces`)",
+            }
         )
     })
 }
@@ -234,6 +245,10 @@ fn refuse_others(source: &Source, content: &FileContent) -> Result<(), SweepFile
     if !follows.is_some_and(|table| table.torque_along_string) {
         return Ok(());
     }
+    let saturates = content.top_drive.is_some_and(|drive| drive.saturates);
+    let message = "below a drive whose torque is limited the string is not in pieces, along which the torque \
+                   is followed: leave one of both out";
+    source.refuse_if(saturates, "string_friction.torque_along_string", message)?;
     for method in &content.methods {
         let is_in_pieces = matches!(method, MethodName::Quadrature | MethodName::FiniteElement);
         let key = "string_friction.torque_along_string";

@@ -1,6 +1,6 @@
 //! Blocks of steps in which nothing disturbs the sites and none reaches its wall: out of
 //! contact the string is linear, and what the past makes of a block is known before it
-//! is stepped. Where a bit cuts there are none, for it acts in every step; nor of a string that lies on
+//! is stepped. Where a bit cuts, or a drive's torque is limited, there are none, for it acts in every step; nor of a string that lies on
 //! its wall or is held by springs, or where every acceleration counts.
 
 use crate::convolution::partition::FIRST_BLOCK;
@@ -22,7 +22,8 @@ pub(crate) fn pass_free_block<B: TorqueLaw, W: WallLaw>(
 ) -> usize {
     let step = stepper.next_step();
     let count = FIRST_BLOCK.min(stepper.steps() - step);
-    let turns_freely = !scene.turns_against_rock() && scene.friction.is_empty();
+    let acts_above = system.drive.is_some();
+    let turns_freely = !scene.turns_against_rock() && scene.friction.is_empty() && !acts_above;
     let Some(lateral) = scene.lateral.as_ref().filter(|_| turns_freely) else {
         return 0;
     };

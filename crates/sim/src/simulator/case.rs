@@ -157,9 +157,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
     }
 
     /// The label that motion has settled to, if it has. A bit that cuts has the regime of its axis to wait
-    /// for; below a motor nothing tells it early.
+    /// for; below a motor, or a drive whose torque is limited, nothing tells it early.
     fn settles(&mut self) -> Option<Label> {
-        if self.system.motor.is_some() || self.scene.axial.is_some() {
+        let turns_otherwise = self.system.motor.is_some() || self.system.drive.is_some();
+        if turns_otherwise || self.scene.axial.is_some() {
             return None;
         }
         let mut laws = self.scene.bit.iter();

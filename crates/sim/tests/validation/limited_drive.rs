@@ -5,17 +5,18 @@
 use crate::bits::bit;
 use linear::estimates::{torsional_inertia, torsional_stiffness};
 use linear::{
-    Budget, ChannelRequest, Drillstring, DrivenSurface, DrivenSurfacePlan, Method, Request,
-    Responses, Sites, TopDrive, controllers,
+    Budget, ChannelRequest, Drillstring, DrivenSurface, DrivenSurfacePlan, IntegralRule, Method,
+    Request, Responses, Sites, TopDrive, controllers,
 };
+use problems::academic;
 use problems::masses::MassesAndSprings;
 use problems::methods;
 use problems::pipes;
 use problems::wells::{Draw, Well, with_loss};
 use proptest::prelude::*;
 use sim::{
-    BitTorque, LimitedDrive, Scene, Simulator, Start, Stepper, Stopping, SurfaceProfile,
-    SurfaceStep, SurfaceTorque, System, Timing, TorsionRegime, Trajectory,
+    BitTorque, Impulse, Lateral, LimitedDrive, Scene, Simulator, Start, Stepper, Stopping,
+    SurfaceProfile, SurfaceStep, SurfaceTorque, System, Timing, TorsionRegime, Trajectory, Wall,
 };
 
 fn scene(surface_speed: f64, start: Start, bit: Option<BitTorque>, duration: f64) -> Scene {
@@ -59,7 +60,7 @@ impl Parts {
     }
 
     fn limited(&self, limit: f64, profile: &SurfaceProfile) -> System {
-        let drive = LimitedDrive::new(&self.surface, limit, profile).unwrap();
+        let drive = LimitedDrive::new(&self.surface, &[0], limit, profile).unwrap();
         let system = System::started(&self.responses, profile).unwrap();
         system.below_limited(drive).unwrap()
     }
@@ -380,10 +381,182 @@ fn drawn(number: usize) -> (Drillstring, SurfaceProfile, f64, Scene) {
     (string, profile, limit, scene)
 }
 
+/// The law of a drive whose torque is limited, step by step.
+struct DriveLaw {
+    drive: TopDrive,
+    rule: IntegralRule,
+    limit: f64,
+    /// From the last one back.
+    errors: [f64; 2],
+    integrals: [f64; 2],
+    /// What its own integral makes of the torque, and that of the linear drive, N m.
+    own: f64,
+    of_linear: f64,
+}
+
+/// What the controller asked for in a step and the linear drive would give, and of what size all that
+/// is, N m.
+struct Obeyed {
+    linear: f64,
+    asked: f64,
+    size: f64,
+}
+
+impl DriveLaw {
+    /// That begins with a torque, N m.
+    fn new(surface: &DrivenSurface, limit: f64, torque: f64) -> Self {
+        Self {
+            drive: surface.drive,
+            rule: surface.integral,
+            limit,
+            errors: [0.0; 2],
+            integrals: [0.0; 2],
+            own: torque,
+            of_linear: torque,
+        }
+    }
+
+    /// In a step with this error of the speed (rad/s), a torque of the integral that has none, and the
+    /// torque that was given, N m.
+    fn follow(&mut self, error: f64, base: f64, given: f64) -> Obeyed {
+        let Self { drive, rule, .. } = *self;
+        let integral = rule.of_values[0] * error
+            + rule.of_values[1] * self.errors[0]
+            + rule.of_values[2] * self.errors[1]
+            + rule.of_integrals[0] * self.integrals[0]
+            + rule.of_integrals[1] * self.integrals[1];
+        self.errors = [error, self.errors[0]];
+        self.integrals = [integral, self.integrals[0]];
+        let by_integral = base + drive.integral_gain * integral;
+        let change = by_integral - self.of_linear;
+        self.of_linear = by_integral;
+        let asked = drive.proportional_gain * error + self.own + change;
+        let is_limited = given.abs() == self.limit;
+        if !(is_limited && change * given > 0.0) {
+            self.own += change;
+        }
+        Obeyed {
+            linear: drive.proportional_gain * error + by_integral,
+            asked,
+            size: self.limit + asked.abs() + by_integral.abs(),
+        }
+    }
+}
+
 /// Σ A(k − n) E(n).
 fn summed(taps: &[f64], inputs: &[f64]) -> f64 {
     let past = inputs.iter().rev().zip(taps);
     past.map(|(input, tap)| input * tap).sum()
+}
+
+/// A string with two walls, a bit and a drive, from rest, pushed to its walls: the law of the drive, and
+/// the responses between surface and all ports, hold in every step, also where the string is so short
+/// that a torque at one end is felt at the other within a step.
+#[test]
+fn val_a_limited_drive_above_walls_obeys_its_law_and_the_string_its_responses() {
+    for (pipes, frequency) in [(3, 200.0), (40, 400.0)] {
+        let plain = pipes::row(pipes, 0.5);
+        let string = plain.clone().with_top_drive(ROTOR).unwrap();
+        for method in methods::in_time() {
+            obeys_above_walls(&string, &method, frequency);
+        }
+    }
+}
+
+fn obeys_above_walls(string: &Drillstring, method: &Method, frequency: f64) {
+    let (speed, limit, duration) = (6.0, 5e3, 3.0);
+    let request = Request {
+        sites: Sites::new(string, &[10.0, 0.0]).unwrap(),
+        channels: vec![
+            ChannelRequest::Torsion {
+                torques: vec![0, 1],
+            },
+            academic::free_in_bending(),
+        ],
+        sampling_frequency: frequency,
+        longest_time: duration,
+    };
+    let responses = linear::responses(string, method, &request).unwrap();
+    let plan = DrivenSurfacePlan::new(string, method, &request).unwrap();
+    let surface = plan.build(&Budget::unlimited()).unwrap();
+    let drive = LimitedDrive::new(&surface, &[0, 1], limit, &SurfaceProfile::default()).unwrap();
+    let system = System::new(&responses)
+        .unwrap()
+        .below_limited(drive)
+        .unwrap();
+    let wall = Wall {
+        clearance: 0.01,
+        stiffness: 1e8,
+        friction: 0.3,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
+        radius: 0.1,
+    };
+    let impulse = Impulse {
+        site: 0,
+        amount: 3e3,
+        start: 0.3,
+        duration: 0.05,
+        direction: 0.0,
+    };
+    let mut scene = scene(speed, Start::Rest, Some(bit(2e3, 1.5e3)), duration);
+    scene.lateral = Some(Lateral {
+        walls: vec![wall; 2],
+        impulses: vec![impulse],
+        eccentric_masses: vec![],
+        lying: None,
+        shocks: None,
+    });
+    let torsion = responses.torsion().unwrap();
+    let mut stepper = Stepper::new(&system, &scene).unwrap();
+    let mut law = DriveLaw::new(&surface, limit, 0.0);
+    let [mut extra, mut set] = [const { Vec::new() }; 2];
+    let mut torques = [const { Vec::new() }; 2];
+    let (mut limited, mut rubbed) = (0, 0);
+    while let Some(step) = stepper.step().unwrap() {
+        let turned = step.surface.unwrap();
+        set.push(speed);
+        let Obeyed {
+            linear,
+            asked,
+            size,
+        } = law.follow(speed - turned.speed, 0.0, turned.torque);
+        let given = asked.clamp(-limit, limit);
+        assert!(
+            (turned.torque - given).abs() < 1e-6 * size,
+            "{given} {}",
+            turned.torque
+        );
+        extra.push(turned.torque - linear);
+        let on_bit = step.bit.as_ref().unwrap().torque;
+        torques[0].push(step.contacts[0].torque);
+        torques[1].push(step.contacts[1].torque + on_bit);
+        limited += usize::from(turned.torque.abs() == limit);
+        rubbed += usize::from(step.contacts.iter().any(|contact| contact.torque != 0.0));
+        let below = std::iter::zip(&surface.sites_by_torque, &torques);
+        let by_ports: f64 = below.map(|(taps, torques)| summed(taps, torques)).sum();
+        let found = summed(&surface.speed_by_set, &set)
+            + by_ports
+            + summed(&surface.speed_by_torque, &extra);
+        assert!(
+            (turned.speed - found).abs() < 1e-6 * speed,
+            "{} {found}",
+            turned.speed
+        );
+        for (port, found) in step.speeds.iter().enumerate() {
+            let own = std::iter::zip(&torsion.from_loads[port], &torques);
+            let expected = summed(&torsion.from_surface[port], &set)
+                + own
+                    .map(|(taps, torques)| summed(taps, torques))
+                    .sum::<f64>()
+                + summed(&surface.sites_by_torque[port], &extra);
+            assert!(
+                (found - expected).abs() < 1e-6 * speed,
+                "{port}: {found} {expected}"
+            );
+        }
+    }
+    assert!(limited > 20 && rubbed > 10, "{limited} {rubbed}");
 }
 
 proptest! {
@@ -401,9 +574,6 @@ proptest! {
         let system = parts.limited(limit, &profile);
         let mut stepper = Stepper::new(&system, &scene).unwrap();
         let drive = string.top_drive().unwrap();
-        let rule = parts.surface.integral;
-        let at = |values: &[f64], ago: usize| values.iter().rev().nth(ago).copied().unwrap_or(0.0);
-        let (mut errors, mut integrals): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
         let [mut on_bit, mut extra, mut set] = [const { Vec::new() }; 3];
         let steady = scene.start.steady();
         let base = |time: f64| steady.map_or(0.0, |motion| motion.at_surface.at(time));
@@ -415,7 +585,7 @@ proptest! {
             };
             scene.surface_speed - error
         });
-        let (mut own, mut before) = (base(0.0), base(0.0));
+        let mut law = DriveLaw::new(&parts.surface, limit, base(0.0));
         let torques = &parts.responses.torsion().unwrap().from_loads[0][0];
         let from_surface = &parts.responses.torsion().unwrap().from_surface[0];
         // Steps in which the bit would stick with all of the torque and slip with less, or the other way
@@ -429,31 +599,16 @@ proptest! {
             };
             set.push(asked_speed);
             let error = asked_speed - (surface.speed - turns);
-            let integral = rule.of_values[0] * error
-                + rule.of_values[1] * at(&errors, 0)
-                + rule.of_values[2] * at(&errors, 1)
-                + rule.of_integrals[0] * at(&integrals, 0)
-                + rule.of_integrals[1] * at(&integrals, 1);
-            errors.push(error);
-            integrals.push(integral);
-            let by_integral = base(time) + drive.integral_gain * integral;
-            let change = by_integral - before;
-            before = by_integral;
-            let asked = drive.proportional_gain * error + own + change;
-            let size = limit + asked.abs() + by_integral.abs();
+            let Obeyed { linear, asked, size } = law.follow(error, base(time), surface.torque);
             prop_assert!(surface.torque.abs() <= limit);
             let given = asked.clamp(-limit, limit);
             if (surface.torque - given).abs() > 1e-9 * size {
                 prop_assert!(surface.torque.abs() == limit);
                 undecided += 1;
             }
-            let is_limited = surface.torque.abs() == limit;
-            if !(is_limited && change * surface.torque > 0.0) {
-                own += change;
-            }
             let bit = step.bit.as_ref().unwrap();
             on_bit.push(bit.torque - steady.map_or(0.0, |motion| motion.at_bit.at(time)));
-            extra.push(surface.torque - (drive.proportional_gain * error + by_integral));
+            extra.push(surface.torque - linear);
             let scale = |taps: &[f64]| taps.iter().map(|tap| tap.abs()).sum::<f64>() * size;
             let across = &parts.surface.sites_by_torque[0];
             let own_taps = &parts.surface.speed_by_torque;

@@ -254,17 +254,25 @@ impl MethodSystem {
         responses: Responses,
         (begun, budget): (Stopwatch, &Budget),
     ) -> Result<Self> {
+        let plan = SimulatorPlan::of_responses(&responses);
         let simulator = match (&setting.cutting, setting.drive_limit) {
-            (None, Some(limit)) => limited::build(setting, limit, &responses, budget)?,
-            (cutting, _) => {
-                SimulatorPlan::of_responses(&responses).ask(budget)?;
-                match cutting {
-                    None => Simulator::started(&responses, &setting.profile)?,
-                    Some(cutting) => {
-                        let system = System::started(&responses, &setting.profile)?;
-                        Simulator::of(system.moving_along(&responses, &cutting.profile)?)
+            (None, None) => {
+                plan.ask(budget)?;
+                Simulator::started(&responses, &setting.profile)?
+            }
+            (cutting, limit) => {
+                let mut system = System::started(&responses, &setting.profile)?;
+                if let Some(cutting) = cutting {
+                    system = system.moving_along(&responses, &cutting.profile)?;
+                }
+                match limit {
+                    None => plan.ask(budget)?,
+                    Some(limit) => {
+                        let drive = (setting, limit);
+                        system = limited::below(system, drive, &responses, (plan, budget))?;
                     }
                 }
+                Simulator::of(system)
             }
         };
         Self::with(setting, responses, simulator, (begun, budget))
