@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The engine of the pages that `sweep report` and `sweep explore` write,
-# crates/figures/src/page/engine.wasm.gz, with engine.txt, which says what it was made from. It is
+# crates/sweep/src/page/engine.wasm.gz, with engine.txt, which says what it was made from. It is
 # kept in the repository, so that the program is built without a WebAssembly target.
 #
 #   scripts/renew-page-engine.sh           makes it from the sources
@@ -12,8 +12,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-engine=crates/figures/src/page/engine.wasm.gz
-record=crates/figures/src/page/engine.txt
+engine=crates/sweep/src/page/engine.wasm.gz
+record=crates/sweep/src/page/engine.txt
 target=wasm32-unknown-unknown
 
 refuse() {

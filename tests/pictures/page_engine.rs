@@ -39,7 +39,7 @@ fn asked(place: &Workplace, openings: &Value) -> Vec<Value> {
     std::fs::write(&asked, openings.to_string()).unwrap();
     let answer = Command::new("node")
         .arg(root().join("tests/page/follow.mjs"))
-        .arg(root().join("crates/figures/src/page"))
+        .arg(root().join("crates/sweep/src/page"))
         .arg(asked)
         .output()
         .expect("Node");

@@ -6,7 +6,7 @@
 //!               <──JSON, numbers──────────────────┘
 //! ```
 //!
-//! The script's side is `crates/figures/src/page/engine.js`; what it may ask is in `request`.
+//! The script's side is `crates/sweep/src/page/engine.js`; what it may ask is in `request`.
 
 mod engine;
 mod exports;

@@ -7,15 +7,15 @@
 //!                    │
 //!                  output    labels.csv, boundary.csv, manifest.json, failures.csv
 //!                    │
-//!              figures       map.svg, map.png, by the crate `plot`; its `report` tells what is in the folder,
+//!                map         map.svg, map.png, by the crate `plot`; `report` tells what is in the folder,
 //!                           `analysis` counts how often and how surely, `window` says
 //!                           where no limit is near
 //! ```
 //!
 //! There is no equation here: the string is the business of `linear`, its motion that of
 //! `sim`. `studies` hold methods against one another, and choose one where a sweep asks for
-//! an accuracy; `figures` draw what a folder holds and single cases to their end. `results` writes whole
-//! files or none, in folders that are locked meanwhile.
+//! an accuracy; `histories` shows single cases to their end. `files` writes whole files or
+//! none, in folders that are locked meanwhile.
 //! `commands` has one file or folder for each thing a user can ask, calls all of the rest,
 //! and is called by nothing; `cli` are their arguments. To see it at work:
 //!
@@ -27,7 +27,11 @@
 
 mod cli;
 mod commands;
+mod explore;
+mod histories;
+mod map;
 mod program;
+mod report;
 
 use std::process::ExitCode;
 

@@ -7,7 +7,7 @@ use anyhow::{Result, bail, ensure};
 
 use super::status::UsageError;
 use crate::cli::{PictureArguments, PictureFormat, RangeArguments};
-use figures::map;
+use crate::map;
 use plot::{Look, Panel, Paper, Picture, map_chart};
 use results::files::write_atomically;
 use results::folder::{Manifest, ResultTables};

@@ -15,12 +15,11 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::ExploreArguments;
-use crate::program::PROGRAM;
+use crate::explore::{Explored, controls, methods_of_page, page, whirl_lines};
+use crate::histories::history_picture;
 use campaign::Campaign;
 use campaign::engine::RunOptions;
 use campaign::follow::{Following, KeptSystems};
-use figures::explore::{Explored, controls, methods_of_page, page, whirl_lines};
-use figures::histories::history_picture;
 use plot::Look;
 use results::files::write_atomically;
 
@@ -87,7 +86,6 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         whirl: whirl_lines(&sweep, &controls)?,
         row: &row,
         picture: &picture.png()?,
-        program: PROGRAM,
     })?;
     write_atomically(&arguments.out, html.as_bytes())?;
     say(&format!("{}\n", arguments.out.display()))?;

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Result, bail};
 
 use super::status::UsageError;
-use figures::report::is_page;
+use crate::report::is_page;
 
 /// What a command writes, by which it knows what it has written before.
 #[derive(Debug, Clone, Copy)]

@@ -11,9 +11,8 @@ use super::outputs::{Output, refuse_to_lose};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use crate::cli::ReportArguments;
-use crate::program::PROGRAM;
+use crate::report::{Results, SummaryFound, compare, is_page, page, sections, text};
 use campaign::text_file::unreadable;
-use figures::report::{Results, SummaryFound, compare, is_page, page, sections, text};
 use results::files::{folder_of, write_atomically};
 
 /// Says in the terminal what a folder holds.
@@ -43,7 +42,7 @@ pub fn report(arguments: &ReportArguments, terminal: Terminal) -> Result<Status>
     if let Some(path) = &arguments.out {
         refuse_to_lose(path, Output::Page, arguments.overwrite.force)?;
     }
-    let html = page(&title(&all), &sections(&all, &comparisons), &all, PROGRAM);
+    let html = page(&title(&all), &sections(&all, &comparisons), &all);
     let path = match (&arguments.out, &arguments.folders[..]) {
         (Some(path), _) => {
             write_atomically(path, html.as_bytes())?;

@@ -7,7 +7,7 @@ use sim::{Label, Motion};
 
 use crate::cli::{AnalyseArguments, PictureFile};
 use crate::commands::status::UsageError;
-use figures::map::{Probabilities, probability_picture};
+use crate::map::{Probabilities, probability_picture};
 use results::analysis::Counts;
 use results::files::write_atomically;
 use results::folder::Manifest;

@@ -9,8 +9,8 @@ use anyhow::{Context, Result, bail};
 
 use super::names::{LOG, MANIFEST, REPORT};
 use crate::commands::status::UsageError;
+use crate::report::is_page;
 use campaign::text_file::unreadable;
-use figures::report::is_page;
 use results::folder::{Manifest, OF_TRACE, PAPER_MAP, PICTURES, RECORDS, TABLES};
 use results::log::{Header, Place, log_place};
 

@@ -10,13 +10,13 @@ use crate::cli::FilmArguments;
 use crate::commands::drawing::Drawing;
 use crate::commands::folder::make_folder;
 use crate::commands::static_string::{self, ShownString};
-use campaign::follow::Followed;
-use campaign::static_string::StaticString;
-use figures::histories::{
+use crate::histories::{
     case_csv, case_lines, contact_picture, contacts_csv, cut_picture, film_csv, film_picture,
     history_csv, history_picture, orbit_picture, phase_picture, spectra_picture, string_csv,
     string_picture, surface_picture, whole_strings,
 };
+use campaign::follow::Followed;
+use campaign::static_string::StaticString;
 use plot::Picture;
 use results::files::write_atomically;
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Serialize, Serializer};
 
 use crate::commands::document::ByColumn;
-use figures::map::WindowView;
+use crate::map::WindowView;
 use results::window::{Best, Chart, Limit, Region, Standing, WINDOW_COLUMNS, by_axis};
 
 /// An operating window.

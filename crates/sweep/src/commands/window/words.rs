@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use crate::map::WindowView;
 use campaign::words::wrapped;
-use figures::map::WindowView;
 
 /// The files of a window in a folder.
 pub fn files(folder: &Path) -> Vec<String> {

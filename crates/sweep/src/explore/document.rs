@@ -71,8 +71,6 @@ pub struct Explored<'a> {
     pub row: &'a Record,
     /// Its motion as a PNG file, for readers without scripts.
     pub picture: &'a [u8],
-    /// What the program calls itself.
-    pub program: &'a str,
 }
 
 /// The page.
@@ -87,7 +85,7 @@ pub fn page(explored: &Explored) -> Result<String> {
     let still = still(explored);
     let engine = STANDARD.encode(ENGINE);
     let scripts = SCRIPTS.concat();
-    let program = escaped(explored.program);
+    let program = escaped(crate::program::PROGRAM);
     Ok(format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\

@@ -21,9 +21,8 @@ const MADE_BY: &str = "<footer><p>Made by ";
 /// The page's looks.
 const STYLE: &str = include_str!("page.css");
 
-/// The sections as a page, with the cases of the maps among them, by what calls itself `program`, `sweep` and
-/// its version.
-pub fn page(title: &str, sections: &[Section], all: &[Results], program: &str) -> String {
+/// The sections as a page, with the cases of the maps among them.
+pub fn page(title: &str, sections: &[Section], all: &[Results]) -> String {
     let mut html = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
@@ -48,7 +47,7 @@ pub fn page(title: &str, sections: &[Section], all: &[Results], program: &str) -
     }
     html += "</main>\n";
     html += &scripts(all);
-    let program = escaped(program);
+    let program = escaped(crate::program::PROGRAM);
     html + &format!("{MADE_BY}{program}.</p></footer>\n</body>\n</html>\n")
 }
 
