@@ -107,3 +107,59 @@ fn walls_go_together_with_a_motor() {
         );
     }
 }
+
+/// In soft rock it drills steadily from the first step, as the chart and the rock say, and the roots that
+/// grow are counted with the motor.
+#[test]
+fn a_bit_that_cuts_below_a_motor_may_begin_drilling() {
+    let steady = "start = \"smooth\"\nstart_disturbance = 1e-4\ntitle = ";
+    let text = with(
+        &with(CUTTING, "title = ", steady),
+        "specific_energy_mpa = 60",
+        "specific_energy_mpa = 0.5",
+    );
+    let text = with(
+        &text,
+        "[design]\n",
+        &format!("[string.axial]\ndamping_ns_m2 = 2000\n{MOTOR}[design]\n"),
+    );
+    let text = with(&text, "wear_flat_mm = 1\n", "wear_flat_mm = 0.1\n");
+    let place = Workplace::with_small(&text);
+    done(&place, &["run", "small.toml", "--out", "out"]);
+    done(
+        &place,
+        &[
+            "inspect",
+            "small.toml",
+            "--modes",
+            "--csv",
+            "--out",
+            "modes",
+        ],
+    );
+    let names = ["axial", "rate_of_penetration_m_h", "bit_speed_closing_rpm"];
+    let simulated = columns(&place, "out/labels.csv", names);
+    let names = [
+        "surface_speed_rpm",
+        "steady_torque_nm",
+        "steady_rate_of_penetration_m_h",
+        "steady_bit_speed_rpm",
+        "growing_roots",
+    ];
+    let exact = columns(&place, "modes/steady_drilling.csv", names);
+    assert_eq!(simulated.len(), 6);
+    for ([label, rate, speed], exact) in simulated.iter().zip(&exact) {
+        let [surface, torque, exact_rate, exact_speed, roots] =
+            exact.each_ref().map(|it| number(it));
+        assert_eq!((label.as_str(), roots), ("steady", 0.0));
+        assert!((exact_speed - surface - relative_speed(torque)).abs() < 1e-3);
+        assert!(
+            (number(speed) / exact_speed - 1.0).abs() < 1e-4,
+            "{speed} {exact_speed}"
+        );
+        assert!(
+            (number(rate) / exact_rate - 1.0).abs() < 1e-4,
+            "{rate} {exact_rate}"
+        );
+    }
+}

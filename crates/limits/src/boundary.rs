@@ -51,8 +51,8 @@ pub enum BoundaryError {
 
 /// The limit over the range of the design's axes: of whirl where friction at every site is
 /// one of them, or of a string that lies in its hole; else of stick-slip; without points where
-/// neither applies, below a motor or a drive whose torque is limited, which have no such limit in
-/// closed form, or where other axes give each case its own.
+/// neither applies, below a drive whose torque is limited, or a motor whose bit does not cut, which have no
+/// such limit in closed form, or where other axes give each case its own.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
@@ -67,8 +67,8 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
         return Ok(Boundary::Lying(lying_points(sweep)));
     }
     let setting = &sweep.setting;
-    let has_none = setting.motor.is_some() || setting.drive_limit.is_some();
-    if has_none || !is_one_limit(sweep) {
+    let is_below_motor = setting.motor.is_some() && setting.cutting.is_none();
+    if is_below_motor || setting.drive_limit.is_some() || !is_one_limit(sweep) {
         return Ok(Boundary::StickSlip(Vec::new()));
     }
     if let (Some(lateral), true) = (sweep.setting.hanging_sideways(), has_friction) {

@@ -3,11 +3,11 @@
 
 use campaign::plan::Sweep;
 use campaign::records::{to_kn, to_m_h, to_rpm};
-use linear::regenerative::{CuttingLoop, SteadyCut};
+use linear::regenerative::SteadyCut;
 use linear::{DrillstringError, parallel};
 use serde::Serialize;
 
-use crate::steady_drilling::Cuts;
+use crate::steady_drilling::{Cuts, cutting_loop};
 
 /// More operating points are not counted at.
 const MOST: usize = 400;
@@ -38,19 +38,14 @@ pub struct DrillingPoint {
 }
 
 /// Those of a sweep whose bit cuts, case by case or, of many, evenly among them; axes that change the
-/// string have the string of the file. None below a motor, through which the bit feels another string, or
-/// of one that rubs along its well, which is not linear.
+/// string have the string of the file. None of a string that rubs along its well, which is not linear.
 ///
 /// # Errors
 /// Where the string cannot be cut up.
 pub fn drilling_points(sweep: &Sweep) -> Result<Vec<DrillingPoint>, DrillstringError> {
     let setting = &sweep.setting;
-    let (Some(settings), Some(bit), None, None) = (
-        &setting.cutting,
-        &sweep.bit,
-        setting.motor,
-        &setting.friction,
-    ) else {
+    let (Some(settings), Some(bit), None) = (&setting.cutting, &sweep.bit, &setting.friction)
+    else {
         return Ok(Vec::new());
     };
     let cuts = Cuts {
@@ -82,7 +77,7 @@ pub fn drilling_points(sweep: &Sweep) -> Result<Vec<DrillingPoint>, DrillstringE
     let points: Vec<(DrillingPoint, Option<SteadyCut>)> = points.collect();
     let stiffest = (points.iter().filter_map(|(_, cut)| cut.as_ref()))
         .max_by(|one, other| one.weight.total_cmp(&other.weight));
-    let cutting = CuttingLoop::new(&sweep.setting.string, &settings.rod)?;
+    let cutting = cutting_loop(sweep, settings)?;
     let cutting = match stiffest {
         Some(cut) => cutting.sampled_for(cut),
         None => cutting,

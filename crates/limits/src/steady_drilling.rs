@@ -3,8 +3,8 @@
 
 use campaign::plan::{Bit, Conditions, CuttingSettings, SteadyDrilling, Sweep};
 use campaign::quantities::Axis;
-use linear::parallel;
-use linear::regenerative::{CuttingLoop, SteadyCut};
+use linear::regenerative::{CuttingLoop, Rotor, SteadyCut};
+use linear::{DrillstringError, parallel};
 
 use crate::axes::{position, range_of_axis};
 use crate::torsion_limit::{StickSlipPoint, TorsionLimit, WAVES};
@@ -26,7 +26,7 @@ pub fn steady_drilling_points(sweep: &Sweep, bit: &Bit) -> Vec<StickSlipPoint> {
         return Vec::new();
     };
     let [weights, speeds] = [weight, speed].map(|place| range_of_axis(sweep, place));
-    let Ok(cutting) = CuttingLoop::new(&sweep.setting.string, &settings.rod) else {
+    let Ok(cutting) = cutting_loop(sweep, settings) else {
         return Vec::new();
     };
     let cuts = Cuts {
@@ -77,6 +77,21 @@ pub fn steady_drilling_points(sweep: &Sweep, bit: &Bit) -> Vec<StickSlipPoint> {
     branches.into_iter().flatten().filter_map(point).collect()
 }
 
+/// The string of a sweep above its bit, with the motor between them.
+pub fn cutting_loop<'a>(
+    sweep: &'a Sweep,
+    settings: &'a CuttingSettings,
+) -> Result<CuttingLoop<'a>, DrillstringError> {
+    let cutting = CuttingLoop::new(&sweep.setting.string, &settings.rod)?;
+    Ok(match sweep.setting.motor {
+        None => cutting,
+        Some(motor) => cutting.above_motor(Rotor {
+            slip: motor.slip,
+            inertia: motor.rotor_inertia,
+        }),
+    })
+}
+
 /// The speed between two ends of which the first lasts as `one` says, and the other does not.
 fn between(ends: &[f64], one: bool, lasts: impl Fn(f64) -> Option<bool>) -> f64 {
     let (mut low, mut high) = (ends[0], ends[1]);
@@ -92,7 +107,8 @@ fn between(ends: &[f64], one: bool, lasts: impl Fn(f64) -> Option<bool>) -> f64 
 }
 
 /// Limits at one weight after the other as lines: each continues to what is nearest at the next
-/// weight, unless that is further than a few `step`s of speed.
+/// weight, unless that is further than a few `step`s of speed. Those that begin at the greatest weight come
+/// first: where the weight does not grow from one point to the next, another line begins.
 fn branches(limits: Vec<Vec<[f64; 2]>>, step: f64) -> Vec<Vec<[f64; 2]>> {
     const NEAR: f64 = 4.0;
     let mut branches: Vec<Vec<[f64; 2]>> = Vec::new();
@@ -115,6 +131,7 @@ fn branches(limits: Vec<Vec<[f64; 2]>>, step: f64) -> Vec<Vec<[f64; 2]>> {
         }
         open = next;
     }
+    branches.sort_by(|one, other| other[0][0].total_cmp(&one[0][0]));
     branches
 }
 
@@ -136,16 +153,18 @@ impl Cuts<'_> {
         self.under(&conditions)?.1
     }
 
-    /// Steady drilling under conditions, and as small motion feels it; `None` where it does not drill.
+    /// Steady drilling under conditions, and as small motion feels it, which is not known where a motor
+    /// stalls; `None` where it does not drill.
     pub fn under(&self, conditions: &Conditions) -> Option<(SteadyDrilling, Option<SteadyCut>)> {
         let law = self.bit.cutting_law(conditions).ok()??;
         let cutting = self.settings.bit_in(law);
         let feed = self.settings.feed(conditions)?;
         let speed = conditions.surface_speed()?;
-        let string = &self.sweep.setting.string;
-        let steady = self.settings.steady(string, &cutting, speed, feed);
-        let drills = steady.rate > 0.0;
-        drills.then(|| (steady, steady.cut(&cutting)))
+        let (string, motor) = (&self.sweep.setting.string, self.sweep.setting.motor);
+        let steady = self.settings.steady((string, motor), &cutting, speed, feed);
+        let stalls = motor.is_some_and(|motor| steady.torque >= motor.stall_torque);
+        let cut = steady.cut(&cutting).filter(|_| !stalls);
+        (steady.rate > 0.0).then_some((steady, cut))
     }
 }
 
@@ -164,11 +183,14 @@ mod tests {
         assert_eq!(
             found,
             [
+                vec![[2.0, 120.0], [3.0, 121.0]],
                 vec![[1.0, 50.0], [2.0, 52.0], [3.0, 54.0]],
                 vec![[1.0, 90.0]],
-                vec![[2.0, 120.0], [3.0, 121.0]]
             ]
         );
+        // Read in a row, they are as many lines.
+        let in_a_row = found.concat();
+        assert_eq!(in_a_row.chunk_by(|one, next| one[0] < next[0]).count(), 3);
     }
 
     #[test]

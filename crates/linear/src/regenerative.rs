@@ -64,6 +64,16 @@ pub struct SteadyCut {
     pub weight: f64,
 }
 
+/// What turns the bit against the end of the string: a motor whose rotor slips the more the more torque it
+/// passes on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rotor {
+    /// σ, rad/s per N m.
+    pub slip: f64,
+    /// J, with what turns with it, bit included, kg m².
+    pub inertia: f64,
+}
+
 /// A string above a bit that cuts.
 #[derive(Debug)]
 pub struct CuttingLoop<'a> {
@@ -78,6 +88,8 @@ pub struct CuttingLoop<'a> {
 #[derive(Debug)]
 struct AtBit<'a> {
     network: TorsionNetwork<'a>,
+    /// Between the end of the string and the bit.
+    rotor: Option<Rotor>,
     /// Of the lowest tube.
     impedance: f64,
     /// From the bit to the surface and back, s.
@@ -157,14 +169,22 @@ impl AtBit<'_> {
             .and_then(|section| section.parts.last());
         Ok(AtBit {
             network: TorsionNetwork::new(string, &Sites::bit())?,
+            rotor: None,
             impedance: lowest.map_or(1.0, |tube| torsional_impedance(string, tube)),
             round_trip: 2.0 * torsional_travel_time(string),
         })
     }
 
-    /// Speed per load.
+    /// Speed per load. Below a rotor g becomes 1/(sJ + 1/(g + σ)), which is positive-real, too.
     fn mobility<T: Number>(&self, s: T) -> T {
-        self.network.admittance(s).from_torque[(0, 0)]
+        let of_string = self.network.admittance(s).from_torque[(0, 0)];
+        match self.rotor {
+            None => of_string,
+            Some(Rotor { slip, inertia }) => {
+                let driven = of_string + slip;
+                driven * (driven * s * inertia + 1.0).inverse()
+            }
+        }
     }
 
     /// (1 − r)/2 = 1/(1 + Zg), whose argument is within a quarter turn.
@@ -186,6 +206,14 @@ impl<'a> CuttingLoop<'a> {
             axial,
             samples: Samples::default(),
         })
+    }
+
+    /// The same with a motor between the end of the string and the bit, which does not stall.
+    #[must_use]
+    pub fn above_motor(mut self, rotor: Rotor) -> Self {
+        self.torsion.rotor = Some(rotor);
+        self.samples = Samples::default();
+        self
     }
 
     /// The same, with what does not depend on the cut at hand up to where the roots of one end: many

@@ -232,7 +232,12 @@ fn drilled(
     let cutting = settings.bit_in(law.ok_or(CaseError::Missing("law of its rock"))?);
     let feed = settings.feed(conditions);
     let feed = feed.ok_or(CaseError::Missing("weight on bit or feed"))?;
-    let steady = settings.steady(&setting.string, &cutting, surface_speed, feed);
+    let steady = settings.steady(
+        (&setting.string, setting.motor),
+        &cutting,
+        surface_speed,
+        feed,
+    );
     let begins = Begins {
         steadily: sweep.starts.name == StartName::Smooth,
         disturbance: sweep.starts.disturbance,

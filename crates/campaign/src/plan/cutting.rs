@@ -6,7 +6,7 @@ use linear::regenerative::SteadyCut;
 use linear::steady::{rotation, rotation_speed};
 use linear::{Axial, Drillstring, Hoist, Sites};
 use sim::laws::rock::CuttingLaw;
-use sim::{Blades, Cutting, FlatContact, Kick, Start, SurfaceProfile};
+use sim::{Blades, Cutting, FlatContact, Kick, MudMotor, Start, SurfaceProfile};
 
 use super::conditions::Conditions;
 use crate::random::Stream;
@@ -360,18 +360,19 @@ impl CuttingSettings {
         }
     }
 
-    /// Steady drilling of a string whose surface turns at a speed, rad/s, and is let down at a feed,
-    /// m/s.
+    /// Steady drilling of a string, with a motor above its bit or none, whose surface turns at a speed, rad/s,
+    /// and is let down at a feed, m/s.
     pub fn steady(
         &self,
-        string: &Drillstring,
+        (string, motor): (&Drillstring, Option<MudMotor>),
         cutting: &Cutting,
         surface_speed: f64,
         feed: f64,
     ) -> SteadyDrilling {
         let at = |depth: f64| {
             let [torque, weight] = cutting.steady(depth);
-            let speed = rotation_speed(string, surface_speed, torque);
+            let faster = motor.map_or(0.0, |motor| motor.relative_speed(torque));
+            let speed = rotation_speed(string, surface_speed, torque) + faster;
             SteadyDrilling {
                 speed,
                 rate: depth * cutting.blades() as f64 * speed / std::f64::consts::TAU,

@@ -65,9 +65,6 @@ fn rest_only(content: &FileContent) -> Option<&'static str> {
     if content.string_friction.is_some() {
         return Some("with [string_friction] a case begins at rest: only `\"ramp\"` is possible");
     }
-    if content.motor.is_some() && content.has_cutting() {
-        return Some("below a [motor] a bit that cuts begins at rest: only `\"ramp\"` is possible");
-    }
     if content.surface_speed_file.is_some() {
         return Some("the surface turns as it was recorded: only `\"ramp\"` is possible");
     }

@@ -402,7 +402,7 @@ fn a_steady_bit_obeys_the_law_of_its_rock() {
     let cutting = settings.bit_in(law);
     let feed = settings.feed(&sweep.conditions).unwrap();
     let speed = sweep.conditions.surface_speed().unwrap();
-    let steady = settings.steady(&sweep.setting.string, &cutting, speed, feed);
+    let steady = settings.steady((&sweep.setting.string, None), &cutting, speed, feed);
     let rock = bit.rock.as_ref().unwrap();
     let torque = rock.torque_dynamic(steady.weight).unwrap();
     assert!(

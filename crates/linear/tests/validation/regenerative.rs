@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use linear::regenerative::{CuttingLoop, SteadyCut};
+use linear::regenerative::{CuttingLoop, Rotor, SteadyCut};
 use linear::{Axial, Complex64, Drillstring, Hoist};
 use problems::dashpots::{BelowDashpots, collar, pipe};
 use problems::wells::{Draw, Well, with_loss};
@@ -233,4 +233,40 @@ fn val_roots_beyond_the_samples_do_not_grow() {
     }
     println!("{others} of {count} differ");
     assert_eq!(others, 0);
+}
+
+/// Below a motor: as many roots grow as are found by Newton's method from all over the plane; a rotor
+/// without slip and hardly any inertia changes nothing, and one so heavy that nothing turns it leaves the
+/// axis alone.
+#[test]
+fn val_roots_below_a_motor() {
+    let below = BelowDashpots::new(&[pipe(2000.0)], [0.7, 0.7]);
+    let driven = |slip: f64, inertia: f64| {
+        let cutting = CuttingLoop::new(&below.string, &below.rod).unwrap();
+        cutting.above_motor(Rotor { slip, inertia })
+    };
+    let steady = cut(6e6, 0.02, 8.0, BOTH);
+    for (slip, inertia) in [(6e-4, 20.0), (2e-4, 3.0), (2e-3, 80.0)] {
+        let cutting = driven(slip, inertia);
+        let mut found: Vec<Complex64> = Vec::new();
+        for guess in 0..800 {
+            let guess = Complex64::new([0.1, 0.6][guess % 2], 0.2 * guess as f64 + 0.1);
+            let Some(root) = cutting.root(&steady, guess) else {
+                continue;
+            };
+            let is_new = found.iter().all(|other| (other - root).norm() > 1e-6);
+            if root.re > 0.0 && root.im > 0.0 && is_new {
+                found.push(root);
+            }
+        }
+        assert_eq!(cutting.growing(&steady), Some(2 * found.len()), "{found:?}");
+    }
+    let at = Complex64::new(0.3, 21.0);
+    let plain = CuttingLoop::new(&below.string, &below.rod).unwrap();
+    let without = plain.characteristic(&steady, at);
+    let light = driven(0.0, 1e-9).characteristic(&steady, at);
+    assert!((light - without).norm() < 1e-6 * without.norm());
+    let axis = plain.characteristic(&cut(6e6, 0.02, 8.0, AXIAL), at);
+    let heavy = driven(0.0, 1e12).characteristic(&steady, at);
+    assert!((heavy - axis).norm() < 1e-6 * axis.norm());
 }

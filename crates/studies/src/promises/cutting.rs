@@ -243,7 +243,7 @@ pub(super) fn cut_in(sweep: &Sweep, energy: f64) -> Result<SteadyCut> {
     let cutting = settings.bit_in(law);
     let speed = conditions.surface_speed().context("the surface turns")?;
     let feed = (settings.feed(&conditions)).context("the string is let down")?;
-    let steady = settings.steady(&sweep.setting.string, &cutting, speed, feed);
+    let steady = settings.steady((&sweep.setting.string, None), &cutting, speed, feed);
     ensure!(steady.rate > 0.0, "it does not drill");
     steady.cut(&cutting).context("even blades")
 }

@@ -3,12 +3,12 @@
 use std::f64::consts::{PI, TAU};
 
 use linear::method::FiniteElement;
-use linear::regenerative::{CuttingLoop, SteadyCut};
+use linear::regenerative::{CuttingLoop, Rotor, SteadyCut};
 use linear::{Complex64, Method, Responses};
 use problems::dashpots::{BelowDashpots, collar, pipe};
 use problems::wells::Draw;
 use sim::laws::cutting::CutStep;
-use sim::{Cutting, Kick};
+use sim::{Cutting, Kick, MudMotor};
 
 use super::scene::{Drilling, bit, immovable, responses};
 
@@ -65,7 +65,18 @@ fn simulated(
         force,
         duration: PI / frequency,
     };
-    let steps = Drilling::steadily(responses, cutting, [speed, rate], kick).steps();
+    let drilling = Drilling::steadily(responses, cutting, [speed, rate], kick);
+    grown(&drilling, cutting, [speed, rate], (frequency, window))
+}
+
+/// The root near a frequency (rad/s) in the motion of a case.
+fn grown(
+    drilling: &Drilling,
+    cutting: &Cutting,
+    [speed, rate]: [f64; 2],
+    (frequency, window): (f64, f64),
+) -> Complex64 {
+    let steps = drilling.steps();
     assert!(
         steps.iter().all(|step| step.rate > 0.0 && step.speed > 0.0),
         "it rests"
@@ -212,4 +223,43 @@ fn val_small_motion_grows_as_the_leading_root() {
         let off = found - Complex64::new(root[0], root[1]);
         assert!(off.norm() < part, "{found} {root:?}");
     }
+}
+
+/// Below a motor the bit feels its slip and its inertia, too: the root is that of the limit that knows
+/// both, up to steps of the rotor, and not that of the bit without.
+#[test]
+fn val_small_motion_below_a_motor_grows_as_the_leading_root() {
+    let motor = MudMotor {
+        speed: 12.0,
+        slip: 6e-4,
+        stall_torque: 18e3,
+        rotor_inertia: 20.0,
+    };
+    let rotor = Rotor {
+        slip: motor.slip,
+        inertia: motor.rotor_inertia,
+    };
+    let below = BelowDashpots::new(&[pipe(2000.0)], [0.7, 0.7]);
+    let responses = responses(&below, &Method::Held, [STEP, 40.0]);
+    let alone = CuttingLoop::new(&below.string, &below.rod).unwrap();
+    let driven = CuttingLoop::new(&below.string, &below.rod)
+        .unwrap()
+        .above_motor(rotor);
+    let (cutting, steady) = (bit(6e6, 5e-3), [8.0, 0.02]);
+    let of_steady = cut(&cutting, steady);
+    let guess = Complex64::new(0.456948388, 21.971820544);
+    let without = alone.root(&of_steady, guess).unwrap();
+    let exact = driven.root(&of_steady, guess).unwrap();
+    let kick = Kick {
+        torque: 0.0,
+        force: 1e-6,
+        duration: PI / exact.im,
+    };
+    let drilling = Drilling::steadily(&responses, &cutting, steady, kick).above_motor(motor);
+    let found = grown(&drilling, &cutting, steady, (exact.im, 10.0));
+    let off = (found - exact).norm();
+    assert!(
+        off < 0.02 * (without - exact).norm(),
+        "{found} {exact} {without}"
+    );
 }

@@ -10,7 +10,7 @@ use problems::dashpots::{self, BelowDashpots};
 use sim::laws::cutting::CutStep;
 use sim::laws::rock::CuttingLaw;
 use sim::{
-    Axial, Blades, Cutting, FlatContact, Kick, Scene, SimulationError, Start, Stepper,
+    Axial, Blades, Cutting, FlatContact, Kick, MudMotor, Scene, SimulationError, Start, Stepper,
     SurfaceProfile, System, Timing,
 };
 
@@ -147,6 +147,17 @@ impl Drilling {
             kick: Some(kick),
         };
         Self::new(responses, 0.0, (speed, start, axial))
+    }
+
+    /// The same bit, steadily drilling below a motor that turns it against the string.
+    pub fn above_motor(mut self, motor: MudMotor) -> Self {
+        self.system = self.system.above_motor(motor).unwrap();
+        if let Start::Steady(motion) = &mut self.scene.start {
+            let faster = motor.relative_speed(-motion.at_bit.torque);
+            motion.speeds[0] -= faster;
+            self.scene.surface_speed -= faster;
+        }
+        self
     }
 
     /// It begins at rest; the surface turns at a speed (rad/s) and is let down at a feed (m/s), both
