@@ -106,6 +106,15 @@ fn walls_go_together_with_a_motor() {
             "{speed} {expected}"
         );
     }
+    // Limits of whirl are of what turns with the string.
+    let text = with(&text, "torque_dynamic_nm = 500", "rock = \"sandstone\"");
+    place.write("small.toml", with(&text, design, DESIGN));
+    done(&place, &["run", "small.toml", "--out", "grid"]);
+    let said = done(&place, &["window", "small.toml", "grid"]);
+    assert!(
+        said.contains("from which speed on whirl lasts") && !said.contains("if triggered"),
+        "{said}"
+    );
 }
 
 /// In soft rock it drills steadily from the first step, as the chart and the rock say, and the roots that

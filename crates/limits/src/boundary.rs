@@ -71,7 +71,7 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
     if is_below_motor || setting.drive_limit.is_some() || !is_one_limit(sweep) {
         return Ok(Boundary::StickSlip(Vec::new()));
     }
-    if let (Some(lateral), true) = (sweep.setting.hanging_sideways(), has_friction) {
+    if let (Some(lateral), true) = (sweep.setting.whirling_with_string(), has_friction) {
         // So has every wall.
         let is_one = !axes.iter().any(|axis| axis.changes_whirl_limit());
         let points = match speeds_of(sweep).filter(|_| is_one) {
@@ -205,12 +205,12 @@ pub fn exact_stick_slip_limit(sweep: &Sweep, weights: [f64; 2]) -> Result<Bounda
 }
 
 /// The limit of whirl between two surface speeds (rpm), of the string and the walls as the sweep
-/// file has them, for any design; without points where it has no wall.
+/// file has them, for any design; without points where it has no wall, or a bit there below a motor.
 ///
 /// # Errors
 /// Where a site is not on the string.
 pub fn whirl_boundary(sweep: &Sweep, range: [f64; 2]) -> Result<Boundary, BoundaryError> {
-    let points = match sweep.setting.hanging_sideways() {
+    let points = match sweep.setting.whirling_with_string() {
         Some(lateral) => whirl_points(sweep, lateral, range)?,
         None => Vec::new(),
     };

@@ -51,12 +51,13 @@ pub struct ForwardTouch {
 
 impl ForwardContact {
     /// Of a sweep with one eccentric mass; `None` where other axes give each case its own limit,
-    /// where sites are found, which may touch first, or where damping is too light to decide.
+    /// where sites are found, which may touch first, where the bit turns faster than the string, or damping
+    /// is too light to decide.
     ///
     /// # Errors
     /// Where a site is not on the string.
     pub fn of(sweep: &Sweep) -> Result<Option<Self>> {
-        let lateral = sweep.setting.hanging_sideways();
+        let lateral = sweep.setting.whirling_with_string();
         let Some(lateral) = lateral.filter(|lateral| lateral.finding.is_none()) else {
             return Ok(None);
         };

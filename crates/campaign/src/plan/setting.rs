@@ -259,6 +259,13 @@ impl Setting {
         self.lateral.as_ref().filter(|_| self.lying.is_none())
     }
 
+    /// The same where all that may touch turns with the string, as those limits take it: a bit below a
+    /// motor turns faster.
+    pub fn whirling_with_string(&self) -> Option<&LateralSettings> {
+        let bit_is_faster = self.motor.is_some() && self.sites.bit_site().is_some();
+        self.hanging_sideways().filter(|_| !bit_is_faster)
+    }
+
     /// How late the controller of its drive answers, s.
     pub fn drive_delay(&self) -> f64 {
         self.string.top_drive().map_or(0.0, |drive| drive.delay)

@@ -30,7 +30,9 @@ pub fn limits(
         return Ok(Vec::new());
     };
     let mut found = resonances(sweep, lateral, ranges[1], asked)?;
-    found.push(whirl(sweep, lateral, ranges, asked.margin)?);
+    if sweep.setting.whirling_with_string().is_some() {
+        found.push(whirl(sweep, lateral, ranges, asked.margin)?);
+    }
     Ok(found)
 }
 
@@ -42,7 +44,12 @@ pub fn not_examined(sweep: &Sweep, asked: &WindowAsked) -> Vec<String> {
         None => Some("vibration sideways and whirl: the file has no [wall]".to_owned()),
         Some(lateral) => above_the_uppermost(sweep, lateral, asked),
     };
-    sideways.into_iter().chain(axial).collect()
+    let setting = &sweep.setting;
+    let of_bit = setting.hanging_sideways().is_some() && setting.whirling_with_string().is_none();
+    let whirl = of_bit.then(|| {
+        "from which speed on whirl lasts: the bit, which is at a wall, turns faster than the string".to_owned()
+    });
+    sideways.into_iter().chain(whirl).chain(axial).collect()
 }
 
 /// A part is wider than pipe if it is this much wider than the body of the uppermost section.

@@ -1,7 +1,8 @@
 //! Blocks of steps in which nothing disturbs the sites and none reaches its wall: out of
 //! contact the string is linear, and what the past makes of a block is known before it
-//! is stepped. Where a bit cuts, or a drive's torque is limited, there are none, for it acts in every step; nor of a string that lies on
-//! its wall or is held by springs, or where every acceleration counts.
+//! is stepped. Where a bit cuts, or a drive's torque is limited, there are none, for these act in
+//! every step; nor of a string that lies on its wall or is held by springs, or where every
+//! acceleration counts.
 
 use crate::convolution::partition::FIRST_BLOCK;
 use crate::laws::contact::WallLaw;

@@ -29,7 +29,8 @@ pub const AXES: [Axis; 2] = [Axis::SurfaceSpeedRpm, Axis::FRICTION];
 pub fn whirl_lines(sweep: &Sweep, controls: &[Control]) -> Result<Option<Vec<LimitLine>>> {
     let of = |axis: Axis| controls.iter().find(|control| control.axis == axis);
     let [speed, friction] = AXES.map(of);
-    let (Some(lateral), Some(speed), Some(_)) = (sweep.setting.hanging_sideways(), speed, friction)
+    let (Some(lateral), Some(speed), Some(_)) =
+        (sweep.setting.whirling_with_string(), speed, friction)
     else {
         return Ok(None);
     };
