@@ -140,6 +140,13 @@ fn it_turns_a_string_with_all_that_acts_on_it() {
     let steady = |drive: &str| column(&cutting(drive), "axial");
     assert_eq!(steady(&limited(1e5)), steady(""));
     within_its_limit(&cutting(&limited(2.0)), 2000.0);
+    // Steady drilling is where the drive has the torque for it.
+    let drills = |drive: &str| {
+        let place = Workplace::with_small(&cutting(drive));
+        let said = done(&place, &["inspect", "small.toml", "--modes"]);
+        said.contains("steady drilling, by the roots of D(s)")
+    };
+    assert!(drills("") && drills(&limited(1e5)) && !drills(&limited(0.5)));
 }
 
 /// The drive meets its limit (N m), and gives no more.

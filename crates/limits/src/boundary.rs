@@ -51,8 +51,8 @@ pub enum BoundaryError {
 
 /// The limit over the range of the design's axes: of whirl where friction at every site is
 /// one of them, or of a string that lies in its hole; else of stick-slip; without points where
-/// neither applies, below a drive whose torque is limited, or a motor whose bit does not cut, which have no
-/// such limit in closed form, or where other axes give each case its own.
+/// neither applies, below a motor or a drive whose torque is limited, which have no such limit in
+/// closed form unless the bit cuts, or where other axes give each case its own.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
@@ -66,9 +66,7 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
     if lies || (is_pushed && sweep.setting.hanging.is_some() && !has_friction) {
         return Ok(Boundary::Lying(lying_points(sweep)));
     }
-    let setting = &sweep.setting;
-    let is_below_motor = setting.motor.is_some() && setting.cutting.is_none();
-    if is_below_motor || setting.drive_limit.is_some() || !is_one_limit(sweep) {
+    if !is_one_limit(sweep) {
         return Ok(Boundary::StickSlip(Vec::new()));
     }
     if let (Some(lateral), true) = (sweep.setting.whirling_with_string(), has_friction) {
@@ -89,7 +87,8 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
         }));
     }
     let is_torque = |axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
-    match (&sweep.bit, position(sweep, is_torque)) {
+    let has_limit = sweep.setting.has_stick_slip_limit();
+    match (&sweep.bit, position(sweep, is_torque).filter(|_| has_limit)) {
         (Some(bit), Some(position)) => {
             limit_of_methods(sweep, systems, bit, position).map(Boundary::StickSlip)
         }

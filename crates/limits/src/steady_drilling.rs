@@ -3,7 +3,9 @@
 
 use campaign::plan::{Bit, Conditions, CuttingSettings, SteadyDrilling, Sweep};
 use campaign::quantities::Axis;
+use linear::estimates::torsional_resistance;
 use linear::regenerative::{CuttingLoop, Rotor, SteadyCut};
+use linear::steady::rotation_speed;
 use linear::{DrillstringError, parallel};
 
 use crate::axes::{position, range_of_axis};
@@ -154,7 +156,7 @@ impl Cuts<'_> {
     }
 
     /// Steady drilling under conditions, and as small motion feels it, which is not known where a motor
-    /// stalls; `None` where it does not drill.
+    /// stalls; `None` where it does not drill, or the drive has not the torque for it.
     pub fn under(&self, conditions: &Conditions) -> Option<(SteadyDrilling, Option<SteadyCut>)> {
         let law = self.bit.cutting_law(conditions).ok()??;
         let cutting = self.settings.bit_in(law);
@@ -164,7 +166,10 @@ impl Cuts<'_> {
         let steady = self.settings.steady((string, motor), &cutting, speed, feed);
         let stalls = motor.is_some_and(|motor| steady.torque >= motor.stall_torque);
         let cut = steady.cut(&cutting).filter(|_| !stalls);
-        (steady.rate > 0.0).then_some((steady, cut))
+        let turned = rotation_speed(string, speed, steady.torque);
+        let taken = steady.torque + torsional_resistance(string) * turned.abs();
+        let has_torque = (self.sweep.setting.drive_limit).is_none_or(|limit| taken < limit);
+        (steady.rate > 0.0 && has_torque).then_some((steady, cut))
     }
 }
 
