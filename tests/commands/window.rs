@@ -431,6 +431,48 @@ fn what_says_nothing_of_limits_over_both_axes_is_refused() {
     );
 }
 
+/// A trace leaves most points out, and has its rates of penetration between those that it simulates: as a
+/// grid that simulates all.
+#[test]
+fn rates_of_a_trace_are_those_of_a_grid() {
+    let softer = with(
+        CUTTING,
+        "specific_energy_mpa = 60",
+        "specific_energy_mpa = 8",
+    );
+    let damped = "[string.axial]\ndamping_ns_m2 = 1500\n[bit]\n";
+    let softer = with(
+        &with(&softer, "[bit]\n", damped),
+        "time_s = 20",
+        "time_s = 10",
+    );
+    let setting = softer.split("[design]").next().unwrap();
+    let best = |kind: &str, count: usize| {
+        let design = format!(
+            "[design]\n{kind}\n[design.axes]\n\
+             surface_speed_rpm = {{ from = 40, to = 200, count = {count} }}\n\
+             weight_on_bit_kn = {{ from = 5, to = 25, count = {count} }}\n"
+        );
+        let place = Workplace::with_small(&format!("{setting}{design}"));
+        done(&place, &["run", "small.toml"]);
+        let json = done(&place, &["window", "small.toml", "--json"]);
+        let found: serde_json::Value = serde_json::from_str(&json).unwrap();
+        found["best"].clone()
+    };
+    let [trace, grid] = [
+        best("kind = \"trace\"\ntolerance = 0.05", 5),
+        best("kind = \"grid\"", 9),
+    ];
+    for (key, part) in [
+        ("rate_of_penetration_m_h", 0.01),
+        ("surface_speed_rpm", 0.05),
+        ("weight_on_bit_kn", 0.05),
+    ] {
+        let [trace, grid] = [&trace, &grid].map(|best| best[key].as_f64().unwrap());
+        assert!((trace / grid - 1.0).abs() < part, "{key}: {trace} {grid}");
+    }
+}
+
 /// Rates of penetration are drawn, and the fastest point is the best, among those that are safe.
 #[test]
 fn of_a_bit_that_cuts_the_best_point_drills_fastest() {

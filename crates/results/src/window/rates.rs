@@ -22,15 +22,14 @@ pub enum Rates {
 
 impl Rates {
     /// Of the cases of a results folder, the mean of all methods, random ones in a number of ranges of
-    /// either axis; none where no bit cuts, or of a trace, which does not simulate most of its points.
+    /// either axis; none where no bit cuts.
     ///
     /// # Errors
     /// Where tables cannot be read.
     pub fn of(tables: &ResultTables, ranges: usize) -> Result<Option<Self>> {
         let content = &tables.manifest.sweep;
         let cuts = content.has_cutting();
-        let Some(measure) = Measure::named(RATE).filter(|_| cuts && !tables.manifest.is_trace())
-        else {
+        let Some(measure) = Measure::named(RATE).filter(|_| cuts) else {
             return Ok(None);
         };
         let mut cases = Vec::new();
@@ -66,7 +65,11 @@ impl Rates {
         let place =
             |at: [f64; 2]| [0, 1].map(|axis| values[axis].partition_point(|it| *it < at[axis]));
         let means = means(size, cases.into_iter().map(|(at, rate)| (place(at), rate)));
-        Ok(Some(Self::At(values, means)))
+        let rates = match tables.manifest.is_trace() {
+            true => filled(&values, means),
+            false => means,
+        };
+        Ok(Some(Self::At(values, rates)))
     }
 
     /// At a weight (kN) and a speed (rpm), straight between the four points around it; `None` where
@@ -94,6 +97,39 @@ impl Rates {
                 let [column, row] = [0, 1].map(|axis| bins[axis].place(place[axis]));
                 rates[column * bins[1].ranges.len() + row]
             }
+        }
+    }
+}
+
+/// Rates of a trace, which simulates a coarse lattice and what is near limits: straight between those that
+/// it has, along the speed first and then along the weight.
+fn filled(values: &[Vec<f64>; 2], mut rates: Vec<Option<f64>>) -> Vec<Option<f64>> {
+    let rows = values[1].len();
+    for column in rates.chunks_mut(rows) {
+        fill(&values[1], column);
+    }
+    for row in 0..rows {
+        let mut along: Vec<_> = rates.iter().skip(row).step_by(rows).copied().collect();
+        fill(&values[0], &mut along);
+        for (rate, filled) in rates.iter_mut().skip(row).step_by(rows).zip(along) {
+            *rate = filled;
+        }
+    }
+    rates
+}
+
+/// What is between known rates along one axis.
+fn fill(values: &[f64], rates: &mut [Option<f64>]) {
+    let known = rates
+        .iter()
+        .enumerate()
+        .filter_map(|(at, rate)| Some((at, (*rate)?)));
+    let known: Vec<(usize, f64)> = known.collect();
+    for ends in known.windows(2) {
+        let [(from, low), (to, high)] = [ends[0], ends[1]];
+        for at in from + 1..to {
+            let part = (values[at] - values[from]) / (values[to] - values[from]);
+            rates[at] = Some(low + part * (high - low));
         }
     }
 }
@@ -137,6 +173,28 @@ mod tests {
         let with_a_gap = found(&|weight, speed| (weight < 20.0 || speed < 90.0).then_some(1.0));
         assert_eq!(with_a_gap.at([15.0, 50.0]), Some(1.0));
         assert_eq!(with_a_gap.at([15.0, 70.0]), None);
+    }
+
+    /// A coarse lattice, and three points of a limit between.
+    #[test]
+    fn rates_of_a_trace_are_straight_between_those_that_it_has() {
+        let values = [
+            vec![10.0, 15.0, 20.0, 30.0],
+            vec![40.0, 50.0, 60.0, 90.0, 100.0],
+        ];
+        let rate = |column: usize, row: usize| 0.01 * values[0][column] * values[1][row];
+        let is_coarse = |column: usize, row: usize| column % 3 == 0 && row % 2 == 0;
+        let is_near = |column: usize, row: usize| row == 1 || (column, row) == (2, 3);
+        let places = (0..20).map(|at| (at / 5, at % 5));
+        let has = places.clone().map(|(column, row)| {
+            let is_known = is_coarse(column, row) || is_near(column, row);
+            is_known.then(|| rate(column, row))
+        });
+        let found = filled(&values, has.collect());
+        for (found, (column, row)) in found.into_iter().zip(places) {
+            let exact = rate(column, row);
+            assert!((found.unwrap() - exact).abs() < 1e-12, "{column} {row}");
+        }
     }
 
     #[test]
