@@ -71,8 +71,8 @@ fn a_bit_that_cuts_below_a_motor_turns_by_its_chart_in_the_mean() {
     );
 }
 
-/// A string that whirls above a motor, and one that begins turning: from the first step the bit turns by
-/// its chart, and at its wall it slides at that speed.
+/// A string that is pushed to its walls above a motor, and begins turning: from the first step the bit turns
+/// by its chart, and limits of whirl are not given.
 #[test]
 fn walls_go_together_with_a_motor() {
     let wall = "[string.bending]\nyoungs_modulus_gpa = 206\ndamping_ns_m2 = 100\n\

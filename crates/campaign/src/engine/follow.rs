@@ -85,7 +85,7 @@ impl FollowedMethod {
         self.case.add_surface_torque(case, &mut motion);
         let driven = match &self.watched {
             None => None,
-            // Such a drive turns all places.
+            // A drive whose torque is limited turns all places.
             Some(watched) if watched.setting.drive_limit.is_some() => {
                 Some(whole(watched, case)?.0.speeds)
             }

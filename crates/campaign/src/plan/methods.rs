@@ -28,16 +28,16 @@ pub fn usual_elements(string: &Drillstring) -> usize {
     (elements as usize).min(MOST_ELEMENTS_PER_CELL)
 }
 
-/// Newmark's γ for a bit that cuts: with the usual 0.52 elements damp a resonance of 10 Hz by some
+/// Newmark's γ of elements above a bit that cuts: with the usual 0.52 elements damp a resonance of 10 Hz by some
 /// hundredths a second, as much as rock feeds it, and steady drilling lasts in rock up to a third too
 /// hard. A bit that sticks does not chatter with it.
-const GAMMA_BELOW_CUTTING: f64 = 0.502;
+const GAMMA_ABOVE_CUTTING: f64 = 0.502;
 
 /// Newmark's γ of elements above a bit that cuts, where the file does not give it. Walls need more.
-pub fn gamma_below_cutting(content: &FileContent) -> Option<f64> {
+pub fn gamma_above_cutting(content: &FileContent) -> Option<f64> {
     let has_elements = content.methods.contains(&MethodName::FiniteElement);
     let is_of_cutting = has_elements && content.has_cutting() && content.wall.is_none();
-    is_of_cutting.then_some(GAMMA_BELOW_CUTTING)
+    is_of_cutting.then_some(GAMMA_ABOVE_CUTTING)
 }
 
 /// The methods. Parameters of the others are checked too: finite elements draw the whole string for
@@ -163,7 +163,7 @@ mod tests {
     #[test]
     fn elements_hardly_damp_above_a_bit_that_cuts_unless_a_file_says_so() {
         let usual = FiniteElement::default().gamma;
-        assert_eq!(gamma("axial.toml", ""), super::GAMMA_BELOW_CUTTING);
+        assert_eq!(gamma("axial.toml", ""), super::GAMMA_ABOVE_CUTTING);
         let given = "method.finite-element.gamma = 0.53\n";
         assert_eq!(gamma("axial.toml", given), 0.53);
         assert_eq!(gamma("fig09.toml", ""), usual);

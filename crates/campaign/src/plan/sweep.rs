@@ -146,7 +146,7 @@ impl Sweep {
             content.method.finite_element.elements_per_cell = elements;
         }
         if let (Some(gamma), false) = (
-            methods::gamma_below_cutting(&content),
+            methods::gamma_above_cutting(&content),
             source.gives_within(["method", "finite-element"], "gamma"),
         ) {
             content.method.finite_element.gamma = gamma;
