@@ -7,8 +7,6 @@ use linear::regenerative::SteadyCut;
 use linear::{DrillstringError, parallel};
 use serde::Serialize;
 
-use crate::steady_drilling::{Cuts, cutting_loop};
-
 /// More operating points are not counted at.
 const MOST: usize = 400;
 
@@ -44,14 +42,11 @@ pub struct DrillingPoint {
 /// Where the string cannot be cut up.
 pub fn drilling_points(sweep: &Sweep) -> Result<Vec<DrillingPoint>, DrillstringError> {
     let setting = &sweep.setting;
-    let (Some(settings), Some(bit), None) = (&setting.cutting, &sweep.bit, &setting.friction)
-    else {
+    let (Some(bit), None) = (&sweep.bit, &setting.friction) else {
         return Ok(Vec::new());
     };
-    let cuts = Cuts {
-        sweep,
-        bit,
-        settings,
+    let Some(cutting) = setting.cutting_loop()? else {
+        return Ok(Vec::new());
     };
     let cases = sweep.design.cases();
     let points = (0..cases.min(MOST)).filter_map(|place| {
@@ -60,7 +55,7 @@ pub fn drilling_points(sweep: &Sweep) -> Result<Vec<DrillingPoint>, DrillstringE
             false => place,
         };
         let conditions = sweep.conditions_at(&sweep.design.values(case));
-        let (drilling, cut) = cuts.under(&conditions)?;
+        let (drilling, cut) = setting.steady_drilling(bit, &conditions)?;
         let point = DrillingPoint {
             case,
             surface_speed_rpm: conditions.surface_speed_rpm?,
@@ -77,7 +72,6 @@ pub fn drilling_points(sweep: &Sweep) -> Result<Vec<DrillingPoint>, DrillstringE
     let points: Vec<(DrillingPoint, Option<SteadyCut>)> = points.collect();
     let stiffest = (points.iter().filter_map(|(_, cut)| cut.as_ref()))
         .max_by(|one, other| one.weight.total_cmp(&other.weight));
-    let cutting = cutting_loop(sweep, settings)?;
     let cutting = match stiffest {
         Some(cut) => cutting.sampled_for(cut),
         None => cutting,

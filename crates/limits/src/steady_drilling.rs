@@ -1,12 +1,9 @@
 //! Where steady drilling with blades that cut what they leave is about to grow: limits over the
 //! surface speed, for values of the weight on bit.
 
-use campaign::plan::{Bit, Conditions, CuttingSettings, SteadyDrilling, Sweep};
+use campaign::plan::{Bit, Sweep};
 use campaign::quantities::Axis;
-use linear::estimates::torsional_resistance;
-use linear::regenerative::{CuttingLoop, Rotor, SteadyCut};
-use linear::steady::rotation_speed;
-use linear::{DrillstringError, parallel};
+use linear::parallel;
 
 use crate::axes::{position, range_of_axis};
 use crate::torsion_limit::{StickSlipPoint, TorsionLimit, WAVES};
@@ -24,21 +21,22 @@ const HALVINGS: usize = 10;
 pub fn steady_drilling_points(sweep: &Sweep, bit: &Bit) -> Vec<StickSlipPoint> {
     let places = [Axis::WeightOnBitKn, Axis::SurfaceSpeedRpm]
         .map(|axis| position(sweep, |other| other == axis));
-    let (Some(settings), [Some(weight), Some(speed)]) = (&sweep.setting.cutting, places) else {
+    let [Some(weight), Some(speed)] = places else {
         return Vec::new();
     };
     let [weights, speeds] = [weight, speed].map(|place| range_of_axis(sweep, place));
-    let Ok(cutting) = cutting_loop(sweep, settings) else {
+    let Ok(Some(cutting)) = sweep.setting.cutting_loop() else {
         return Vec::new();
     };
-    let cuts = Cuts {
-        sweep,
-        bit,
-        settings,
+    let at = |weight: f64, speed: f64| {
+        let conditions = (sweep.conditions)
+            .with(Axis::WeightOnBitKn, weight)
+            .with(Axis::SurfaceSpeedRpm, speed);
+        sweep.setting.steady_drilling(bit, &conditions)?.1
     };
     let stiffest = [weights[0], weights[1]]
         .into_iter()
-        .filter_map(|weight| cuts.at(weight, speeds[0]))
+        .filter_map(|weight| at(weight, speeds[0]))
         .max_by(|one, other| one.weight.total_cmp(&other.weight));
     let cutting = match stiffest {
         Some(cut) => cutting.sampled_for(&cut),
@@ -49,7 +47,7 @@ pub fn steady_drilling_points(sweep: &Sweep, bit: &Bit) -> Vec<StickSlipPoint> {
     };
     let of_weight = |index: usize| -> Vec<[f64; 2]> {
         let weight = step(weights, index, WEIGHTS);
-        let lasts = |speed: f64| Some(cutting.growing(&cuts.at(weight, speed)?)? == 0);
+        let lasts = |speed: f64| Some(cutting.growing(&at(weight, speed)?)? == 0);
         let speeds: Vec<f64> = (0..SPEEDS)
             .map(|index| step(speeds, index, SPEEDS))
             .collect();
@@ -77,21 +75,6 @@ pub fn steady_drilling_points(sweep: &Sweep, bit: &Bit) -> Vec<StickSlipPoint> {
         })
     };
     branches.into_iter().flatten().filter_map(point).collect()
-}
-
-/// The string of a sweep above its bit, with the motor between them.
-pub fn cutting_loop<'a>(
-    sweep: &'a Sweep,
-    settings: &'a CuttingSettings,
-) -> Result<CuttingLoop<'a>, DrillstringError> {
-    let cutting = CuttingLoop::new(&sweep.setting.string, &settings.rod)?;
-    Ok(match sweep.setting.motor {
-        None => cutting,
-        Some(motor) => cutting.above_motor(Rotor {
-            slip: motor.slip,
-            inertia: motor.rotor_inertia,
-        }),
-    })
 }
 
 /// The speed between two ends of which the first lasts as `one` says, and the other does not.
@@ -135,42 +118,6 @@ fn branches(limits: Vec<Vec<[f64; 2]>>, step: f64) -> Vec<Vec<[f64; 2]>> {
     }
     branches.sort_by(|one, other| other[0][0].total_cmp(&one[0][0]));
     branches
-}
-
-/// The cuts of a sweep.
-#[derive(Clone, Copy)]
-pub struct Cuts<'a> {
-    pub sweep: &'a Sweep,
-    pub bit: &'a Bit,
-    pub settings: &'a CuttingSettings,
-}
-
-impl Cuts<'_> {
-    /// Steady drilling at a weight (kN) and a surface speed (rpm), as small motion feels it; `None`
-    /// where it does not drill.
-    fn at(&self, weight: f64, speed: f64) -> Option<SteadyCut> {
-        let conditions = (self.sweep.conditions)
-            .with(Axis::WeightOnBitKn, weight)
-            .with(Axis::SurfaceSpeedRpm, speed);
-        self.under(&conditions)?.1
-    }
-
-    /// Steady drilling under conditions, and as small motion feels it, which is not known where a motor
-    /// stalls; `None` where it does not drill, or the drive has not the torque for it.
-    pub fn under(&self, conditions: &Conditions) -> Option<(SteadyDrilling, Option<SteadyCut>)> {
-        let law = self.bit.cutting_law(conditions).ok()??;
-        let cutting = self.settings.bit_in(law);
-        let feed = self.settings.feed(conditions)?;
-        let speed = conditions.surface_speed()?;
-        let (string, motor) = (&self.sweep.setting.string, self.sweep.setting.motor);
-        let steady = self.settings.steady((string, motor), &cutting, speed, feed);
-        let stalls = motor.is_some_and(|motor| steady.torque >= motor.stall_torque);
-        let cut = steady.cut(&cutting).filter(|_| !stalls);
-        let turned = rotation_speed(string, speed, steady.torque);
-        let taken = steady.torque + torsional_resistance(string) * turned.abs();
-        let has_torque = (self.sweep.setting.drive_limit).is_none_or(|limit| taken < limit);
-        (steady.rate > 0.0 && has_torque).then_some((steady, cut))
-    }
 }
 
 #[cfg(test)]

@@ -82,6 +82,8 @@ pub struct CuttingLoop<'a> {
     samples: Samples,
     /// Step of ω between samples, rad/s.
     step: f64,
+    /// Roots count from this growth on, 1/s.
+    growth: f64,
 }
 
 /// A motion of the string at its bit.
@@ -104,7 +106,7 @@ struct Samples {
     greatest_from_here: Vec<[f64; 2]>,
 }
 
-/// What does not depend on the cut at iω.
+/// What does not depend on the cut at growth + iω.
 #[derive(Debug, Clone, Copy)]
 struct Sample {
     /// Speeds of the bit per load in torsion and along the axis.
@@ -113,7 +115,7 @@ struct Sample {
     parts: Complex64,
 }
 
-/// What is known at a place on the imaginary axis.
+/// What is known at a place on the line of one growth.
 #[derive(Debug, Clone, Copy)]
 struct Place {
     omega: f64,
@@ -205,7 +207,17 @@ impl<'a> CuttingLoop<'a> {
             torsion,
             axial,
             samples: Samples::default(),
+            growth: 0.0,
         })
+    }
+
+    /// The same, of which only roots count that grow faster than this, 1/s: what grows more slowly is not seen
+    /// in a case that is soon over.
+    #[must_use]
+    pub fn faster_than(mut self, growth: f64) -> Self {
+        self.growth = growth;
+        self.samples = Samples::default();
+        self
     }
 
     /// The same with a motor between the end of the string and the bit, which does not stall.
@@ -231,7 +243,7 @@ impl<'a> CuttingLoop<'a> {
             let begun = values.len();
             let groups = parallel::map(BLOCK / Lanes::LANES, GROUPS_AT_ONCE, |group| {
                 let first = begun + group * Lanes::LANES;
-                let s = Lanes::of_lanes(|lane| Complex64::new(0.0, self.omega(first + lane)));
+                let s = Lanes::of_lanes(|lane| self.place(self.omega(first + lane)));
                 [&self.torsion, &self.axial].map(|motion| motion.mobility(s))
             });
             values.extend(groups.into_iter().flat_map(|motions| {
@@ -249,6 +261,11 @@ impl<'a> CuttingLoop<'a> {
     /// ω of a sample, rad/s.
     fn omega(&self, index: usize) -> f64 {
         (index as f64 + FIRST) * self.step
+    }
+
+    /// s at ω, 1/s.
+    fn place(&self, omega: f64) -> Complex64 {
+        Complex64::new(self.growth, omega)
     }
 
     fn at(&self, mobilities: [Complex64; 2]) -> Sample {
@@ -273,7 +290,7 @@ impl<'a> CuttingLoop<'a> {
         [&self.torsion, &self.axial].map(|motion| motion.mobility(s))
     }
 
-    /// The number of roots that grow; `None` where resonances are too sharp to be followed, as
+    /// The number of roots that grow, or grow [faster than](Self::faster_than) asked; `None` where resonances are too sharp to be followed, as
     /// those of a string that loses nothing.
     pub fn growing(&self, cut: &SteadyCut) -> Option<usize> {
         let own;
@@ -290,7 +307,8 @@ impl<'a> CuttingLoop<'a> {
         let place = |index: usize, delayed: Complex64| {
             Place::of(cut, self.omega(index), &samples.values[index], delayed)
         };
-        let delayed_at = |index: usize| delayed(Complex64::new(0.0, self.omega(index)), cut.delay);
+        let delayed_at = |index: usize| delayed(self.place(self.omega(index)), cut.delay);
+        let kept = (-self.growth * cut.delay).exp();
         let first = place(0, delayed_at(0));
         let turn = Complex64::cis(-self.step * cut.delay);
         let mut phase = Complex64::ONE;
@@ -303,8 +321,7 @@ impl<'a> CuttingLoop<'a> {
                 _ => phase * turn,
             };
             // (1 − e^(−st))/s.
-            let gap = 1.0 - phase;
-            let next = place(index, Complex64::new(gap.im, -gap.re) / omega);
+            let next = place(index, (1.0 - phase * kept) / self.place(omega));
             turns += self.turns(cut, here, next, MOST_HALVINGS)?;
             here = next;
         }
@@ -348,7 +365,7 @@ impl<'a> CuttingLoop<'a> {
             });
         }
         let omega = 0.5 * (from.omega + to.omega);
-        let s = Complex64::new(0.0, omega);
+        let s = self.place(omega);
         let middle = self.at(self.mobilities(s));
         let middle = Place::of(cut, omega, &middle, delayed(s, cut.delay));
         let left = halvings.checked_sub(1)?;
@@ -410,7 +427,7 @@ impl<'a> CuttingLoop<'a> {
         let end = PER_STEP * self.end(&samples, cut)?;
         let omega = |index: usize| self.step * index as f64 / PER_STEP as f64;
         let away: Vec<f64> = (1..=end)
-            .map(|index| self.root_from(cut, Complex64::new(0.0, omega(index))))
+            .map(|index| self.root_from(cut, self.place(omega(index))))
             .collect();
         let is_least = |place: &usize| {
             let around = place.saturating_sub(1)..(place + 2).min(end);
@@ -435,7 +452,7 @@ impl<'a> CuttingLoop<'a> {
         (mut parameter, mut omega): (f64, f64),
     ) -> Option<(f64, f64)> {
         let value = |parameter: f64, omega: f64| {
-            self.characteristic(&at(parameter), Complex64::new(0.0, omega))
+            self.characteristic(&at(parameter), self.place(omega))
         };
         for _ in 0..MOST_ITERATIONS {
             let (dp, dw) = (1e-6 * parameter, 1e-6 * omega);

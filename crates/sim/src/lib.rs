@@ -45,6 +45,7 @@
 //! | one case from rest to its label | [`simulator`], [`Outcome`], [`trajectory`] |
 //! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
 //! | Eqs. 72–73: how long to simulate | [`timing`] |
+//! | whether steady drilling lasts, in steps | [`SteppedLoop`] |
 //! | exact waves, to hold all of these to | [`waveguide`] |
 //! | every tolerance of regimes and of ending early | [`watch::rules`] |
 //! | memory, asked for before it is taken | [`plan`] |
@@ -106,6 +107,7 @@ mod shortcuts;
 pub mod simulator;
 mod start;
 pub mod steady_whirl;
+mod stepped_loop;
 pub mod stepper;
 mod surface;
 mod surface_torque;
@@ -143,6 +145,7 @@ pub use scene::{Axial, Kick, Lateral, Scene, Timing};
 pub use simulator::Simulator;
 pub use start::Start;
 pub use steady_whirl::{SitesWhirl, SteadyWhirl, WhirlingSite, WhirlingSites};
+pub use stepped_loop::SteppedLoop;
 pub use stepper::{Step, Stepper};
 pub use surface::SurfaceProfile;
 pub use surface_torque::SurfaceTorque;

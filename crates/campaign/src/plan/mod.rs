@@ -33,6 +33,7 @@ mod setting;
 mod sheet;
 mod sites;
 mod start;
+mod steady_drilling;
 mod stress;
 mod string;
 mod string_friction;

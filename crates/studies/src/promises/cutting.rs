@@ -236,16 +236,10 @@ pub(super) fn in_rock(sweep: &Sweep, energy: f64) -> Conditions {
 
 /// Small motion in a rock (MPa) under the weight or the feed of a sweep.
 pub(super) fn cut_in(sweep: &Sweep, energy: f64) -> Result<SteadyCut> {
-    let conditions = in_rock(sweep, energy);
-    let settings = (sweep.setting.cutting.as_ref()).context("the bit cuts")?;
     let bit = sweep.bit.as_ref().context("there is a bit")?;
-    let law = (bit.cutting_law(&conditions)?).context("a rock with constants")?;
-    let cutting = settings.bit_in(law);
-    let speed = conditions.surface_speed().context("the surface turns")?;
-    let feed = (settings.feed(&conditions)).context("the string is let down")?;
-    let steady = settings.steady((&sweep.setting.string, None), &cutting, speed, feed);
-    ensure!(steady.rate > 0.0, "it does not drill");
-    steady.cut(&cutting).context("even blades")
+    let drilling = sweep.setting.steady_drilling(bit, &in_rock(sweep, energy));
+    let (_, cut) = drilling.context("it does not drill")?;
+    cut.context("even blades")
 }
 
 /// Steady drilling in a rock (MPa) at a depth of cut of each blade (m), and small motion about it.

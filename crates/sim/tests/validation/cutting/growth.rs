@@ -8,7 +8,7 @@ use linear::{Complex64, Method, Responses};
 use problems::dashpots::{BelowDashpots, collar, pipe};
 use problems::wells::Draw;
 use sim::laws::cutting::CutStep;
-use sim::{Cutting, Kick, MudMotor};
+use sim::{Cutting, Kick, MudMotor, SteppedLoop};
 
 use super::scene::{Drilling, bit, immovable, responses};
 
@@ -183,6 +183,38 @@ fn val_simulated_limits_of_sampled_methods() {
     assert!(quadrature < 0.01, "{quadrature}");
     assert!(little < 0.1, "{little}");
     assert!(usual > 5.0 * little, "{usual} {little}");
+}
+
+/// The limit of the loop in steps is that of the steps, by methods whose limits are off from the exact one.
+#[test]
+fn val_limits_of_the_stepped_loop_are_those_of_steps() {
+    let (cutting, rate) = (bit(6e6, 5e-3), 0.004);
+    let below = BelowDashpots::new(&[pipe(2000.0)], [0.7, -0.7]);
+    let exact = CuttingLoop::new(&below.string, &below.rod).unwrap();
+    let at = |speed: f64| axial_cut(&cutting, [speed, rate]);
+    let limit = exact.limit(at, [19.0, 21.0]).unwrap();
+    let elements = Method::FiniteElement(FiniteElement {
+        gamma: 0.502,
+        ..FiniteElement::default()
+    });
+    for method in [Method::Quadrature, elements] {
+        let responses = axial_responses(&below, &method, 200.0);
+        let stepped = SteppedLoop::new(&responses, 0.0, 1.0).unwrap();
+        let grows = |speed: f64| stepped.growing(&at(speed)) > 0;
+        let (mut low, mut high) = (0.85 * limit.0, 1.15 * limit.0);
+        assert!(grows(low) && !grows(high));
+        for _ in 0..20 {
+            let middle = 0.5 * (low + high);
+            if grows(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let found = simulated_limit(&responses, &cutting, rate, (low, limit.1 * low / limit.0));
+        let (off, from_exact) = ((found / low - 1.0).abs(), (low / limit.0 - 1.0).abs());
+        assert!(off < 2e-4 && off < 0.1 * from_exact, "{off} {from_exact}");
+    }
 }
 
 /// Growth and frequency of the motion that grows fastest, to the digits of an independent program.
