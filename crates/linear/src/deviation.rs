@@ -121,6 +121,39 @@ impl ExactMotions {
         sites: &Sites,
         sampling_frequency: f64,
     ) -> Result<Self, BuildError> {
+        Self::of_waves(
+            (string, string.id()),
+            sites,
+            sampling_frequency,
+            Channel::Torsion,
+        )
+    }
+
+    /// Along the axis the same, of a string as a rod that stretches ([`crate::Axial::rod`]).
+    ///
+    /// # Errors
+    /// Where the sites are not places of this string.
+    pub fn along_axis(
+        string: &Drillstring,
+        rod: &Drillstring,
+        sites: &Sites,
+        sampling_frequency: f64,
+    ) -> Result<Self, BuildError> {
+        Self::of_waves(
+            (rod, string.id()),
+            sites,
+            sampling_frequency,
+            Channel::Axial,
+        )
+    }
+
+    /// Speeds of a string that obeys the equation of waves, known by its name.
+    fn of_waves(
+        (string, name): (&Drillstring, StringId),
+        sites: &Sites,
+        sampling_frequency: f64,
+        channel: Channel,
+    ) -> Result<Self, BuildError> {
         let travel = torsional_travel_time(string);
         let times = Times::new(TRAVELS * travel, sampling_frequency);
         let duration = (RISE * travel).max(3.0 * times.step);
@@ -137,9 +170,9 @@ impl ExactMotions {
         });
         let from_loads = motions.split_off(count);
         Ok(Self {
-            string: string.id(),
+            string: name,
             sites: sites.clone(),
-            channel: Channel::Torsion,
+            channel,
             input: times.samples(|time| rise.integral(time)),
             times,
             from_surface: motions,

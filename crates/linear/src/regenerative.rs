@@ -451,9 +451,8 @@ impl<'a> CuttingLoop<'a> {
         at: &impl Fn(f64) -> SteadyCut,
         (mut parameter, mut omega): (f64, f64),
     ) -> Option<(f64, f64)> {
-        let value = |parameter: f64, omega: f64| {
-            self.characteristic(&at(parameter), self.place(omega))
-        };
+        let value =
+            |parameter: f64, omega: f64| self.characteristic(&at(parameter), self.place(omega));
         for _ in 0..MOST_ITERATIONS {
             let (dp, dw) = (1e-6 * parameter, 1e-6 * omega);
             let now = value(parameter, omega);

@@ -57,11 +57,11 @@ use linear::{Complex64, Responses};
 use numerics::fft;
 
 /// Places on a circle for each step that responses or the delay between blades last: what turns there turns by
-/// a small part of a turn from one to the next.
-const PLACES_A_STEP: f64 = 4.0;
+/// a part of a turn from one to the next that is well below a half.
+const PLACES_A_STEP: f64 = 2.0;
 
-/// More places are not tried: some hundred megabytes.
-const MOST_PLACES: f64 = (1 << 23) as f64;
+/// More places are not tried: most of a gigabyte.
+const MOST_PLACES: f64 = (1 << 25) as f64;
 
 /// A string above a bit that cuts, in steps of one method.
 #[derive(Debug, Clone)]
@@ -97,6 +97,14 @@ impl SteppedLoop {
             radius,
             mobilities: [torsion, axial].map(|taps| on_circle(taps, radius, places)),
         })
+    }
+
+    /// Bytes that one takes while it is made, of responses of a number of steps at most.
+    pub fn bytes(steps: f64) -> f64 {
+        // Places are a power of two; samples and spectrum of the second motion next to the spectrum of the
+        // first, each spectrum of half as many complex numbers.
+        let places = 2.0 * (PLACES_A_STEP * steps).min(MOST_PLACES);
+        4.0 * linear::budget::REAL * places
     }
 
     /// The number of roots that grow faster than that.

@@ -4,7 +4,7 @@ use linear::Method;
 use linear::method::{FiniteElement, Transform};
 
 use super::methods::Parameters;
-use crate::plan::Candidate;
+use crate::plan::{Candidate, CuttingSettings, Sweep};
 
 /// The lowest sampling frequency tried, about, Hz.
 const LOWEST: f64 = 20.0;
@@ -33,22 +33,27 @@ pub fn off_beat(frequency: f64, travel: f64) -> [f64; 2] {
 /// four samples a tap, the more the more elements there are; held responses take those of a
 /// lattice whose pieces are far shorter than a step, once for all frequencies, and longer at
 /// a wall; the digital filter needs taps for as long as the response lasts twice, and memory
-/// for them in every case.
-pub fn methods() -> [Method; 6] {
+/// for them in every case. Elements have the damping of the scene; what `hangs` from a hook load has no place
+/// of rest, which the digital filter needs.
+pub fn methods(sweep: &Sweep) -> Vec<Method> {
+    let gamma = sweep.usual_gamma();
+    let hangs = (sweep.setting.cutting.as_ref()).is_some_and(CuttingSettings::hangs);
     let elements = |elements_per_cell| {
         Method::FiniteElement(FiniteElement {
             elements_per_cell,
+            gamma,
             ..FiniteElement::default()
         })
     };
-    [
+    let filter = (!hangs).then(|| Method::Hilbert(Transform::default()));
+    let others = [
         Method::Quadrature,
         elements(2),
         elements(5),
         Method::Held,
         elements(20),
-        Method::Hilbert(Transform::default()),
-    ]
+    ];
+    others.into_iter().chain(filter).collect()
 }
 
 /// A method at a frequency, as it is reported.

@@ -105,7 +105,7 @@ impl References<'_> {
         let held = memory_of(before);
         let known = before.last().map_or(&[][..], |before| &before.answers);
         let steps = Steps::Frequency(frequency);
-        let mut reference = self.stepped(steps, frequency, held, known)?;
+        let mut reference = self.stepped(steps, frequency, held, (known, self.probes.starts()))?;
         reference.uncertainty = self.uncertainty_of(&mut reference, before);
         if !reference.is_certain(self.certain()) {
             return Ok(reference);
@@ -166,9 +166,12 @@ impl References<'_> {
             }
             reference.seconded_by = Some(method.name());
         }
-        let answers = self
-            .probes
-            .answers(&systems, Stopping::Full, &reference.answers);
+        let answers = self.probes.answers(
+            &systems,
+            Stopping::Full,
+            &reference.answers,
+            reference.starts,
+        );
         let difference = largest_difference(&answers, &reference.answers, self.asked);
         let is_larger = match (&difference, &reference.uncertainty) {
             (Ok(other), Ok(own)) => other.part > own.part,

@@ -74,8 +74,10 @@ pub struct Forecast {
     /// Building all systems by one method takes so long for each hertz, s.
     building: f64,
     work: Vec<Work>,
-    /// Simulations that find the limit of a group.
+    /// Simulations that find the limit of a group; none where it is found without.
     bisections: f64,
+    /// Of each case.
+    starts: Cell<f64>,
     threads: f64,
     /// By how much the last answers took longer than was thought.
     slower: Cell<f64>,
@@ -88,16 +90,26 @@ impl Forecast {
         let leads = |index: usize| groups.iter().any(|group| group[0] == index);
         let work = (0..probes.cases().len())
             .filter_map(|index| Work::of(probes, index, leads(index), systems));
-        Self::new(building, work.collect(), probes.halvings())
+        let bisections = HALVINGS_BEFORE + probes.halvings() as f64;
+        let found = Self::new(building, work.collect(), bisections);
+        match probes.cut() {
+            false => found,
+            true => Self {
+                bisections: 0.0,
+                starts: Cell::new(probes.starts() as f64),
+                ..found
+            },
+        }
     }
 
     /// Of systems with this time to build for each hertz (s), and of cases whose limits are found
-    /// by a number of halvings.
-    fn new(building: f64, work: Vec<Work>, halvings: usize) -> Self {
+    /// by a number of simulations.
+    fn new(building: f64, work: Vec<Work>, bisections: f64) -> Self {
         Self {
             building,
             work,
-            bisections: HALVINGS_BEFORE + halvings as f64,
+            bisections,
+            starts: Cell::new(1.0),
             threads: parallel::threads() as f64,
             slower: Cell::new(1.0),
         }
@@ -106,6 +118,11 @@ impl Forecast {
     /// Seconds until one method at a sampling frequency (Hz) is built and has answered.
     pub fn round(&self, frequency: f64) -> f64 {
         self.building * frequency + self.slower.get() * self.answers(frequency)
+    }
+
+    /// Hears how many starts cases have from here on.
+    pub fn has_starts(&self, starts: usize) {
+        self.starts.set(starts as f64);
     }
 
     /// Hears how long answers took.
@@ -138,12 +155,17 @@ impl Forecast {
 
     /// Seconds that the look for islands takes.
     fn islands(&self, frequency: f64) -> f64 {
-        self.slower.get() * self.near_limits(ISLAND_CASES, frequency)
+        let cases = if self.bisections > 0.0 {
+            ISLAND_CASES
+        } else {
+            0.0
+        };
+        self.slower.get() * self.near_limits(cases, frequency)
     }
 
     /// Seconds that the answers of all probes take, as thought at first.
     fn answers(&self, frequency: f64) -> f64 {
-        let times = self.work.iter().map(|work| work.seconds(frequency));
+        let times = (self.work.iter()).map(|work| self.starts.get() * work.seconds(frequency));
         self.on_threads(times) + self.near_limits(self.bisections, frequency)
     }
 
@@ -170,7 +192,7 @@ mod tests {
             seconds_a_step: 1e-6,
             leads_group,
         };
-        Forecast::new(1e-4, vec![work(true), work(false)], 8)
+        Forecast::new(1e-4, vec![work(true), work(false)], 10.0)
     }
 
     /// At 1 kHz the systems take 0.1 s, a case 0.01 s, and its limit ten times half of that.

@@ -3,7 +3,7 @@
 use anyhow::{Result, anyhow};
 use linear::Method;
 
-use super::answer::{Answer, Difference, largest_difference};
+use super::answer::{Answer, Difference, largest_chance, largest_difference};
 use super::candidates::frequencies;
 use super::reference::{Reference, References};
 use super::search::Search;
@@ -50,16 +50,25 @@ impl References<'_> {
     /// Where it takes too much memory.
     fn in_pieces(&self) -> Result<Reference> {
         let frequency = self.probes.strings.frequency_of_pieces()?;
-        let stepped = |pieces: f64, held: f64, known: &[Answer]| {
+        let stepped = |pieces: f64, held: f64, known: (&[Answer], usize)| {
             self.stepped(Steps::Pieces(pieces), frequency / pieces, held, known)
         };
         // No other is built before the lattice is tried, which may take long itself.
         self.first_look(Method::Quadrature, &[frequency / FIRST_PIECES]);
         self.tell_expected(frequency, |of| of.in_pieces(frequency, FIRST_PIECES));
-        // What says where limits are about.
-        let first = stepped(FIRST_PIECES, 0.0, &[])?.answers;
-        let mut whole = stepped(1.0, 0.0, &first)?;
-        let half = stepped(0.5, whole.kept, &whole.answers)?;
+        // What says where limits are about, and how much is chance.
+        let first = stepped(FIRST_PIECES, 0.0, (&[], self.probes.starts()))?.answers;
+        let starts = self.probes.starts_for(self.certain(), &first);
+        self.has_starts(starts);
+        let mut whole = stepped(1.0, 0.0, (&first, starts))?;
+        let half = stepped(0.5, whole.kept, (&whole.answers, starts))?;
+        if self.probes.cut() {
+            // Limits are held to where they are.
+            let limits = self.probes.drilling_limits();
+            for (answer, limit) in whole.answers.iter_mut().zip(limits) {
+                answer.limit = limit;
+            }
+        }
         whole.uncertainty = self.uncertainty_in_pieces(&whole, &half);
         if whole.is_certain(self.certain()) {
             self.look_for_islands(&mut whole);
@@ -71,10 +80,10 @@ impl References<'_> {
         let systems = (whole.systems.as_ref()).map_err(|reason| anyhow!("{reason}"))?;
         let linear = self.linear_error(systems, &whole.answers)?;
         let change = largest_difference(&half.answers, &whole.answers, self.asked)?;
-        Ok(if change.part > linear.part {
-            change
-        } else {
-            linear
-        })
+        let chance = largest_chance(&whole.answers);
+        let larger = |one: Difference, other: Difference| {
+            if other.part > one.part { other } else { one }
+        };
+        Ok(larger(larger(linear, change), chance))
     }
 }

@@ -18,6 +18,10 @@
 //!
 //! the last two as root mean squares over these cases, from a reference whose own
 //! uncertainty counts in full (`reference`).
+//!
+//! The motion of a bit that cuts is often chaotic. Its numbers are means over some starts, of which chance is
+//! a part of what is uncertain, and its limit is that of steady drilling, which is known exactly
+//! and, as a method steps it, by its responses (`steady`).
 
 mod answer;
 pub mod bisection;
@@ -29,6 +33,7 @@ pub mod methods;
 mod probes;
 mod reference;
 mod search;
+mod steady;
 mod strings;
 pub mod trial;
 

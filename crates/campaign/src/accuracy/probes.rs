@@ -5,16 +5,22 @@ use anyhow::{Result, anyhow, bail};
 use linear::parallel;
 use sim::Stopping;
 
-use super::answer::{Answer, is_inside, measures, regimes};
+use super::answer::{Answer, Measure, answer_of, is_inside, largest_chance};
 use super::bisection::{bisected, geometric};
+use super::steady::{Exact, Stepped, growth_within};
 use super::strings::{Strings, Systems};
 use super::trial;
 use crate::engine::MethodSystem;
 use crate::memory::Limit;
 use crate::plan::{Conditions, Sweep};
+use crate::quantities::Axis;
 
 /// Cases compared, evenly spread over the design.
 const MOST_PROBES: usize = 8;
+
+/// Starts of each case of a bit that cuts, at first and at most.
+const STARTS: usize = 8;
+const MOST_STARTS: usize = 64;
 
 /// A limit is looked for up to this many doublings from a case, or halvings.
 const DOUBLINGS: i32 = 3;
@@ -41,6 +47,10 @@ struct Probe {
     case: usize,
     string: usize,
     scale: Scale,
+    /// The limit of steady drilling near a case of a bit that cuts, as it is.
+    drilling: Option<f64>,
+    /// The time of the case, s.
+    duration: f64,
 }
 
 /// Of what a limit of stick-slip is a multiple. Where nothing but the bit acts, all is
@@ -104,11 +114,13 @@ impl<'a> Probes<'a> {
             match found.longest_of(case) {
                 Ok(longest) => {
                     let string = found.strings.place_of(case, longest);
-                    let scale = found.scale_of(case)?;
+                    let (scale, duration) = found.scale_of(case)?;
                     found.probes.push(Probe {
                         case,
                         string,
                         scale,
+                        drilling: None,
+                        duration,
                     });
                 }
                 Err(why) => reason = why,
@@ -117,7 +129,32 @@ impl<'a> Probes<'a> {
         if found.probes.is_empty() {
             return Err(reason);
         }
+        let limits = parallel::map(found.probes.len(), 1, |index| {
+            found.exact_drilling_limit(&found.probes[index])
+        });
+        for (probe, limit) in found.probes.iter_mut().zip(limits) {
+            probe.drilling = limit;
+        }
         Ok(found)
+    }
+
+    /// Whether the bit cuts: then each case has several starts, and its limit is that of steady drilling.
+    pub fn cut(&self) -> bool {
+        self.sweep.setting.cutting.is_some()
+    }
+
+    /// Number of the starts of a case at first.
+    pub fn starts(&self) -> usize {
+        if self.cut() { STARTS } else { 1 }
+    }
+
+    /// Number of the starts of a case by whose means two methods can be compared as certainly as this, a part of
+    /// one, by the chance that is left in some answers.
+    pub fn starts_for(&self, certain: f64, answers: &[Answer]) -> usize {
+        // Chance of two means adds up, and is itself known by a few starts only.
+        let chance = 3.0 * largest_chance(answers).part;
+        let starts = self.starts() as f64 * (chance / certain).powi(2);
+        (starts.ceil() as usize).clamp(self.starts(), MOST_STARTS)
     }
 
     /// A probe's system among those of all strings.
@@ -147,14 +184,16 @@ impl<'a> Probes<'a> {
         Ok(longest)
     }
 
-    fn scale_of(&self, case: usize) -> Result<Scale> {
+    /// The scale of a case, and its time, s.
+    fn scale_of(&self, case: usize) -> Result<(Scale, f64)> {
         let setting = self.sweep.setting_at(&self.sweep.design.values(case))?;
         let scene = trial::case(self.sweep, &setting, &self.conditions(case, 1.0))?.scene;
         let alone = scene.bit.filter(|_| scene.lateral.is_none());
-        Ok(alone.map_or(Scale::Own, |bit| Scale::Torque {
+        let scale = alone.map_or(Scale::Own, |bit| Scale::Torque {
             speed: scene.surface_speed / bit.torque_dynamic,
             static_ratio: bit.torque_static / bit.torque_dynamic,
-        }))
+        });
+        Ok((scale, scene.timing.duration))
     }
 
     /// The factor from limits of one probe to those of another; `None` where the two have
@@ -194,8 +233,17 @@ impl<'a> Probes<'a> {
     }
 
     /// The answers to all probes, their limits looked for near those of `known` answers:
-    /// in each group by the first that finds one.
-    pub fn answers(&self, systems: &Systems, stopping: Stopping, known: &[Answer]) -> Vec<Answer> {
+    /// in each group by the first that finds one. A bit that cuts has a number of `starts`.
+    pub fn answers(
+        &self,
+        systems: &Systems,
+        stopping: Stopping,
+        known: &[Answer],
+        starts: usize,
+    ) -> Vec<Answer> {
+        if self.cut() {
+            return self.answers_of_cutting(systems, stopping, starts);
+        }
         let found: Vec<(Answer, Option<bool>)> = parallel::map(self.probes.len(), 1, |place| {
             let probe = &self.probes[place];
             self.answer(&systems[probe.string], probe.case, stopping)
@@ -203,7 +251,8 @@ impl<'a> Probes<'a> {
         let limit_of = |index: usize| {
             let probe = &self.probes[index];
             let near = known.get(index).and_then(|known| known.limit);
-            let limit = self.limit(&systems[probe.string], probe.case, found[index].1?, near)?;
+            let system = &systems[probe.string];
+            let limit = self.regime_limit(system, probe.case, found[index].1?, near)?;
             Some((index, limit))
         };
         let groups = self.groups();
@@ -237,28 +286,99 @@ impl<'a> Probes<'a> {
         case: usize,
         stopping: Stopping,
     ) -> (Answer, Option<bool>) {
-        let mut found = Answer {
-            case,
-            ..Answer::default()
-        };
         let outcome = trial::outcome(self.sweep, system, &self.conditions(case, 1.0), stopping);
         let inside = outcome.as_ref().ok().map(is_inside);
-        match outcome {
-            Ok(outcome) => {
-                found.regimes = regimes(&outcome);
-                found.measures = measures(&outcome, system.setting.sites.len());
-            }
-            Err(reason) => found.regimes = format!("without an answer ({reason})"),
-        }
+        let mut found = answer_of(case, &[outcome], system.setting.sites.len());
         let least = (system.least_impulses.iter()).filter(|least| least.is_finite());
-        let least = least.map(|&least| ("least impulse", least));
+        let least = least.map(|&least| Measure::alone(("least impulse", least)));
         found.measures.extend(least);
         (found, inside)
     }
 
-    /// Where the regime changes, in multiples of a case's speed or friction: near a
-    /// known limit, or else nearest to the case.
-    fn limit(
+    /// The answers where the bit cuts, each by all starts of its case.
+    fn answers_of_cutting(
+        &self,
+        systems: &Systems,
+        stopping: Stopping,
+        starts: usize,
+    ) -> Vec<Answer> {
+        let mut outcomes = parallel::map(self.probes.len() * starts, 1, |place| {
+            let probe = &self.probes[place / starts];
+            let number = (place % starts + 1) as f64;
+            let conditions = (self.conditions(probe.case, 1.0)).with(Axis::StartNumber, number);
+            trial::outcome(self.sweep, &systems[probe.string], &conditions, stopping)
+        })
+        .into_iter();
+        let limits = parallel::map(self.probes.len(), 1, |place| {
+            let probe = &self.probes[place];
+            self.stepped_drilling_limit(&systems[probe.string], probe)
+        });
+        let probes = self.probes.iter().zip(limits);
+        let answer = |(probe, limit): (&Probe, Option<f64>)| {
+            let of_starts: Vec<_> = outcomes.by_ref().take(starts).collect();
+            let sites = systems[probe.string].setting.sites.len();
+            Answer {
+                limit,
+                ..answer_of(probe.case, &of_starts, sites)
+            }
+        };
+        probes.map(answer).collect()
+    }
+
+    /// The limits of steady drilling near all probes, as they are.
+    pub fn drilling_limits(&self) -> impl Iterator<Item = Option<f64>> {
+        self.probes.iter().map(|probe| probe.drilling)
+    }
+
+    /// The limit of steady drilling near a case as it is, in multiples of its surface speed; `None` where there
+    /// is none, or the bit does not cut, or there are other limits near that one: which of them is next depends
+    /// on anything.
+    fn exact_drilling_limit(&self, probe: &Probe) -> Option<f64> {
+        let values = self.sweep.design.values(probe.case);
+        let (setting, bit) = (
+            self.sweep.setting_at(&values).ok()?,
+            self.sweep.bit.as_ref()?,
+        );
+        let at = |factor: f64| self.conditions(probe.case, factor);
+        let growth = growth_within(probe.duration);
+        let exact = Exact::new(&setting, bit, growth, &at(2f64.powi(-DOUBLINGS)))?;
+        let grows = |factor: f64| exact.grows(&at(factor));
+        let limit = self.limit(grows, grows(1.0)?, None)?;
+        let has_another = |side: f64| self.island_beside(limit, side, grows).is_some();
+        (!has_another(-1.0) && !has_another(1.0)).then_some(limit)
+    }
+
+    /// Of the places near a limit on one side of it, below or above, the first where something is otherwise than
+    /// next to the limit, as a multiple of that.
+    fn island_beside(
+        &self,
+        limit: f64,
+        side: f64,
+        is_inside_at: impl Fn(f64) -> Option<bool>,
+    ) -> Option<f64> {
+        let between = (0..=PLACES).map(|place| place as f64 / PLACES as f64);
+        let places = between.map(|part| self.asked * (FURTHEST.ln() / self.asked).powf(part));
+        let mut regimes = places.map(|distance| {
+            let factor = (side * distance).exp();
+            (factor, is_inside_at(limit * factor))
+        });
+        let (_, near) = regimes.next()?;
+        let (factor, _) = regimes.find(|(_, regime)| *regime != near)?;
+        Some(factor)
+    }
+
+    /// The same as a method steps it, near where it is.
+    fn stepped_drilling_limit(&self, system: &MethodSystem, probe: &Probe) -> Option<f64> {
+        let (near, bit) = (probe.drilling?, self.sweep.bit.as_ref()?);
+        let at = |factor: f64| self.conditions(probe.case, factor);
+        let growth = growth_within(probe.duration);
+        let stepped = Stepped::new(system, bit, growth, &at(2f64.powi(-DOUBLINGS)))?;
+        let grows = |factor: f64| stepped.grows(&at(factor));
+        self.limit(grows, grows(1.0)?, Some(near))
+    }
+
+    /// Where the regime of a case changes, in multiples of its speed or friction.
+    fn regime_limit(
         &self,
         system: &MethodSystem,
         case: usize,
@@ -270,6 +390,17 @@ impl<'a> Probes<'a> {
             let outcome = trial::outcome(self.sweep, system, &conditions, Stopping::Early);
             outcome.ok().map(|outcome| is_inside(&outcome))
         };
+        self.limit(is_inside_at, inside, near)
+    }
+
+    /// Where something changes, in multiples of a case's speed or friction: near a
+    /// known limit, or else nearest to the case, where it is `inside`.
+    fn limit(
+        &self,
+        is_inside_at: impl Fn(f64) -> Option<bool>,
+        inside: bool,
+        near: Option<f64>,
+    ) -> Option<f64> {
         let around = near.map(|limit| [limit / NEAR, limit * NEAR]);
         let outwards = (1..=DOUBLINGS).flat_map(|exponent| [exponent, -exponent]);
         let octaves = outwards.map(|exponent| {
@@ -297,6 +428,10 @@ impl<'a> Probes<'a> {
     /// # Errors
     /// Names the first case with one.
     pub fn check_for_islands(&self, systems: &Systems, answers: &[Answer]) -> Result<()> {
+        if self.cut() {
+            // A limit of steady drilling is known where it is.
+            return Ok(());
+        }
         // Of a group the one that is nearest to its limit: others may last too long there.
         let distance = |index: &usize| {
             answers[*index]
@@ -316,23 +451,13 @@ impl<'a> Probes<'a> {
                     return Ok(());
                 };
                 let is_inside_at = |factor: f64| {
-                    let conditions = self.conditions(probe.case, limit * factor);
+                    let conditions = self.conditions(probe.case, factor);
                     let system = &systems[probe.string];
                     let outcome = trial::outcome(self.sweep, system, &conditions, Stopping::Early);
                     outcome.ok().map(|outcome| is_inside(&outcome))
                 };
-                let reach = FURTHEST.ln();
                 for side in [-1.0, 1.0] {
-                    let between = (0..=PLACES).map(|place| place as f64 / PLACES as f64);
-                    let places = between.map(|part| self.asked * (reach / self.asked).powf(part));
-                    let mut regimes = places.map(|distance| {
-                        let factor = (side * distance).exp();
-                        (factor, is_inside_at(factor))
-                    });
-                    let Some((_, near)) = regimes.next() else {
-                        continue;
-                    };
-                    if let Some((factor, _)) = regimes.find(|(_, regime)| *regime != near) {
+                    if let Some(factor) = self.island_beside(limit, side, is_inside_at) {
                         let case = probe.case;
                         bail!(
                             "the limit near case {case} is ragged: at {factor:.2} times it there \
@@ -394,12 +519,12 @@ parts = [
             .strings
             .systems(Method::Held, Steps::Frequency(200.0))
             .unwrap();
-        let answers = probes.answers(&systems, Stopping::Early, &[]);
+        let answers = probes.answers(&systems, Stopping::Early, &[], 1);
         assert_eq!(answers.len(), 4);
         assert_eq!(probes.groups(), [[0, 1, 2, 3]]);
         for (answer, probe) in answers.iter().zip(&probes.probes) {
             let (_, inside) = probes.answer(&systems[0], probe.case, Stopping::Early);
-            let own = probes.limit(&systems[0], probe.case, inside.unwrap(), None);
+            let own = probes.regime_limit(&systems[0], probe.case, inside.unwrap(), None);
             let ratio = answer.limit.unwrap() / own.unwrap();
             assert!((ratio - 1.0).abs() < 2.0 * LIMIT_PART * 0.02, "{ratio}");
         }

@@ -85,14 +85,14 @@ impl<'a> References<'a> {
         })
     }
 
-    /// The answers in some steps, `frequency` of the first string's; others keep `held`
-    /// bytes.
+    /// The answers in some steps, `frequency` of the first string's, each by a number of starts; others keep
+    /// `held` bytes.
     pub fn stepped(
         &self,
         steps: Steps,
         frequency: f64,
         held: f64,
-        known: &[Answer],
+        (known, starts): (&[Answer], usize),
     ) -> Result<Reference> {
         let probes = self.probes;
         let fits = probes.strings.fits(METHOD, steps, held);
@@ -104,7 +104,7 @@ impl<'a> References<'a> {
         let systems = probes.strings.systems(METHOD, steps);
         let start = Instant::now();
         let answers = match &systems {
-            Ok(systems) => probes.answers(systems, Stopping::Full, known),
+            Ok(systems) => probes.answers(systems, Stopping::Full, known, starts),
             Err(_) => Vec::new(),
         };
         if let (Some(forecast), Ok(_)) = (self.forecast.get(), &systems) {
@@ -115,6 +115,7 @@ impl<'a> References<'a> {
             systems,
             kept,
             answers,
+            starts,
             uncertainty: Err(anyhow!("there is nothing to compare")),
             has_exact_responses: false,
             is_contested: false,
@@ -175,6 +176,13 @@ impl<'a> References<'a> {
         }));
     }
 
+    /// Hears how many starts cases have from here on.
+    pub fn has_starts(&self, starts: usize) {
+        if let Some(forecast) = self.forecast.get() {
+            forecast.has_starts(starts);
+        }
+    }
+
     /// The largest uncertainty of a reference.
     pub fn certain(&self) -> f64 {
         PART * self.asked
@@ -202,6 +210,8 @@ pub struct Reference {
     pub kept: f64,
     /// Its answers; none without systems.
     pub answers: Vec<Answer>,
+    /// Of each of them.
+    pub starts: usize,
     /// By how much they may be wrong.
     pub uncertainty: Result<Difference>,
     /// Whether its linear responses are near enough to the exact ones.

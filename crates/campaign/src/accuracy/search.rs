@@ -4,7 +4,7 @@ use anyhow::{Error, Result, anyhow};
 use linear::Method;
 use sim::Stopping;
 
-use super::answer::{Answer, Difference, largest_difference};
+use super::answer::{Difference, largest_difference};
 use super::candidates::{candidate, methods};
 use super::reference::{METHOD, Reference, References};
 use super::strings::{Steps, Systems};
@@ -70,7 +70,7 @@ impl Search<'_> {
     ) -> Result<Option<(Method, Candidate, f64)>> {
         let (strings, steps) = (&self.references.probes.strings, Steps::Frequency(frequency));
         let allowed = self.references.asked - uncertainty;
-        for method in methods() {
+        for method in methods(self.references.probes.sweep) {
             let candidate = candidate(&method, frequency);
             self.references.tell_of(&method, frequency, false);
             let built;
@@ -84,7 +84,7 @@ impl Search<'_> {
                 }
             };
             let (error, of) = match systems {
-                Ok(systems) => match self.error_of(systems, &reference.answers, allowed) {
+                Ok(systems) => match self.error_of(systems, reference, allowed) {
                     Ok(error) => (Some(error.part), error.of),
                     Err(reason) => (None, reason.to_string()),
                 },
@@ -111,18 +111,20 @@ impl Search<'_> {
     fn error_of(
         &self,
         systems: &Systems,
-        reference: &[Answer],
+        reference: &Reference,
         allowed: f64,
     ) -> Result<Difference> {
-        let linear = self.references.linear_error(systems, reference)?;
+        let linear = (self.references).linear_error(systems, &reference.answers)?;
         if linear.part > allowed {
             return Ok(linear);
         }
-        let answers = self
-            .references
-            .probes
-            .answers(systems, self.stopping, reference);
-        let simulated = largest_difference(&answers, reference, allowed)?;
+        let answers = self.references.probes.answers(
+            systems,
+            self.stopping,
+            &reference.answers,
+            reference.starts,
+        );
+        let simulated = largest_difference(&answers, &reference.answers, allowed)?;
         Ok(if linear.part > simulated.part {
             linear
         } else {

@@ -10,11 +10,12 @@ use linear::deviation::{ExactMotions, exact_undershoot};
 use linear::estimates::{largest_undershoot, torsional_travel_time};
 use linear::waves::lattice::Lattice;
 use linear::{ImpulseTrains, Method, parallel};
+use sim::SteppedLoop;
 
 use super::answer::Difference;
 use crate::engine::{MethodSystem, Recipe, StringMemory};
 use crate::memory::{Limit, Size};
-use crate::plan::{LateralSettings, Setting, Sweep};
+use crate::plan::{CuttingSettings, LateralSettings, Setting, Sweep};
 
 /// Duration of the impulse in bending where the scene has none, s.
 const DURATION: f64 = 0.02;
@@ -49,6 +50,7 @@ pub struct Strings<'a> {
 /// How the sites of a string truly move.
 struct Motions {
     torsion: ExactMotions,
+    axial: Option<ExactMotions>,
     bending: Option<ExactMotions>,
 }
 
@@ -135,6 +137,11 @@ impl<'a> Strings<'a> {
             }
             systems = systems.and(of_string.systems);
             case = case.max(of_string.case);
+            if setting.cutting.is_some() {
+                case = case.max(SteppedLoop::bytes(
+                    self.longest * setting.sampling_frequency,
+                ));
+            }
         }
         let stepped = Need::lasting(parallel::threads() as f64 * case);
         let bytes = held + self.memory_of_trains() + systems.then(stepped).peak;
@@ -192,12 +199,13 @@ impl<'a> Strings<'a> {
     }
 
     /// Δ of Eq. 75 of every string as it is, rad/s per N m; empty with a wall, where limits depend
-    /// on more than that, and without a bit.
+    /// on more than that, above a bit that cuts, and without a bit.
     ///
     /// # Errors
     /// Where a string cannot be cut into a lattice.
     pub fn exact_undershoots(&self) -> Result<Vec<f64>> {
-        if self.sweep.setting.lateral.is_some() || self.sweep.bit.is_none() {
+        let setting = &self.sweep.setting;
+        if setting.lateral.is_some() || setting.cutting.is_some() || self.sweep.bit.is_none() {
             return Ok(Vec::new());
         }
         let of_string = |string: usize| {
@@ -241,6 +249,10 @@ impl<'a> Strings<'a> {
             let motions = self.motions_of(string, system)?;
             let torsion = motions.torsion.error_of(&system.responses)?;
             count(torsion, "the linear responses in torsion");
+            if let Some(axial) = &motions.axial {
+                let axial = axial.error_of(&system.responses)?;
+                count(axial, "the linear responses along the axis");
+            }
             if let Some(bending) = &motions.bending {
                 let bending = bending.error_of(&system.responses)?;
                 count(bending, "the linear responses in bending");
@@ -266,8 +278,14 @@ impl Motions {
             let (bending, support) = (&lateral.bending, lateral.support);
             ExactMotions::in_bending(string, bending, support, sites, shortest, frequency)
         };
+        let along_axis = |cutting: &CuttingSettings| {
+            ExactMotions::along_axis(string, &cutting.rod, sites, frequency)
+        };
         Ok(Self {
             torsion: ExactMotions::in_torsion(string, sites, frequency)?,
+            axial: (system.setting.cutting.as_ref())
+                .map(along_axis)
+                .transpose()?,
             bending: system
                 .setting
                 .lateral

@@ -318,6 +318,11 @@ impl CuttingSettings {
         }
     }
 
+    /// Whether the string hangs from a hook load.
+    pub fn hangs(&self) -> bool {
+        matches!(self.feed, Feed::HookLoad(_))
+    }
+
     /// Refuses a sampling frequency (Hz) at which a bit that turns at a speed (rad/s) passes a blade in
     /// half a step.
     ///

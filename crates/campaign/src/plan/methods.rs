@@ -33,11 +33,12 @@ pub fn usual_elements(string: &Drillstring) -> usize {
 /// hard. A bit that sticks does not chatter with it.
 const GAMMA_ABOVE_CUTTING: f64 = 0.502;
 
-/// Newmark's γ of elements above a bit that cuts, where the file does not give it. Walls need more.
-pub fn gamma_above_cutting(content: &FileContent) -> Option<f64> {
-    let has_elements = content.methods.contains(&MethodName::FiniteElement);
-    let is_of_cutting = has_elements && content.has_cutting() && content.wall.is_none();
-    is_of_cutting.then_some(GAMMA_ABOVE_CUTTING)
+/// Newmark's γ of elements that a file which says nothing of it has. Walls need more than a bit that cuts.
+pub fn usual_gamma(content: &FileContent) -> f64 {
+    match content.has_cutting() && content.wall.is_none() {
+        true => GAMMA_ABOVE_CUTTING,
+        false => FiniteElement::default().gamma,
+    }
 }
 
 /// The methods. Parameters of the others are checked too: finite elements draw the whole string for

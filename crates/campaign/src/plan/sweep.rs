@@ -145,17 +145,16 @@ impl Sweep {
             let elements = methods::usual_elements(&setting.string);
             content.method.finite_element.elements_per_cell = elements;
         }
-        if let (Some(gamma), false) = (
-            methods::gamma_above_cutting(&content),
-            source.gives_within(["method", "finite-element"], "gamma"),
-        ) {
-            content.method.finite_element.gamma = gamma;
+        let has_elements = content.methods.contains(&MethodName::FiniteElement);
+        if has_elements && !source.gives_within(["method", "finite-element"], "gamma") {
+            content.method.finite_element.gamma = methods::usual_gamma(&content);
         }
         string::check_axes(&source, &content, &design)?;
         if let Some(accuracy) = content.accuracy {
-            let message = "nothing is known of the error of a bit with [bit.cutting]: give `methods` \
-                           and `sampling_frequency_hz` instead";
-            source.refuse_if(setting.cutting.is_some(), "accuracy", message)?;
+            let message = "with a bit that cuts and [wall], whose motion is often chaotic, no limit of whirl \
+                           is held to: give `methods` and `sampling_frequency_hz` instead";
+            let is_both = setting.cutting.is_some() && setting.lateral.is_some();
+            source.refuse_if(is_both, "accuracy", message)?;
             choice::check(&source, accuracy)?;
         }
         if methods.is_empty() {
@@ -221,6 +220,11 @@ impl Sweep {
             conditions: &self.conditions,
             design: &self.design,
         }
+    }
+
+    /// Newmark's γ of elements in this scene.
+    pub fn usual_gamma(&self) -> f64 {
+        methods::usual_gamma(&self.content)
     }
 
     /// The sampling frequency (Hz) without one in the file.

@@ -344,6 +344,9 @@ fn what_does_not_go_with_a_mud_motor_is_refused_by_its_key() {
 const CUTTING: &str = "methods = [\"held\"]\nsurface_speed_rpm = 120\n[bit]\nrock = \"sandstone\"\nweight_on_bit_kn = 60\n\
                        [bit.cutting]\nblades = 6\n";
 
+const WALLED: &str =
+    "[wall]\nclearance_mm = 20\nfriction = 0.3\n[[sites]]\ndistance_from_bit_m = 0\n";
+
 #[test]
 fn what_does_not_go_with_a_bit_that_cuts_is_refused_by_its_key() {
     let bit = |more: &str| CUTTING.replace("[bit.cutting]", &format!("{more}\n[bit.cutting]"));
@@ -354,7 +357,10 @@ fn what_does_not_go_with_a_bit_that_cuts_is_refused_by_its_key() {
         (bit("torque_decay_rpm = 5"), "bit.torque_decay_rpm"),
         (before("start = \"stuck\""), "start"),
         (before("start = \"both\""), "start"),
-        (before("accuracy = \"1 %\""), "accuracy"),
+        (
+            CUTTING.replace("methods = [\"held\"]", "accuracy = \"5 %\"") + WALLED,
+            "accuracy",
+        ),
         (
             CUTTING.replace(
                 "[\"held\"]",

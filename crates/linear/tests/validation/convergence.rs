@@ -1,12 +1,15 @@
 //! Orders of convergence in 1/f_s on the response to a smooth surface ramp,
 //! against the exact frequency response inverted numerically.
 
+use linear::deviation::ExactMotions;
 use linear::filters::radau::{self, STAGES};
 use linear::method::{FiniteElement, Transform};
 use linear::waves::inversion::time_response;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
-use linear::{ChannelRequest, Method, RaisedCosine, Request, Sites, SurfaceSupport, responses};
+use linear::{
+    Axial, ChannelRequest, Hoist, Method, RaisedCosine, Request, Sites, SurfaceSupport, responses,
+};
 use problems::{academic, oracles};
 
 /// Duration of the ramp, s: its spectrum is far below the lowest f_s.
@@ -185,4 +188,45 @@ fn val_the_digital_filter_is_exact_within_its_band() {
     }));
     assert!(errors[0] / errors[1] > 100.0, "{errors:?}");
     assert!(errors[1..].iter().all(|&error| error < 1e-6), "{errors:?}");
+}
+
+/// Along the axis, too, responses come to the exact motions; those of a stiffer rod do not.
+#[test]
+fn val_motions_along_the_axis_come_to_the_exact_ones() {
+    let string = academic::string();
+    let rod = |youngs_modulus: f64| {
+        let hoist = Hoist {
+            mass: 2e4,
+            damping: 2.5e4,
+            stiffness: 0.0,
+        };
+        let axial = Axial {
+            youngs_modulus,
+            damping: 30.0,
+            hoist: Some(hoist),
+        };
+        axial.rod(&string).unwrap()
+    };
+    let error = |method: Method, youngs_modulus: f64, sampling_frequency: f64| {
+        let request = Request {
+            sites: Sites::bit(),
+            channels: vec![ChannelRequest::Axial {
+                rod: Box::new(rod(youngs_modulus)),
+                forces: vec![0],
+            }],
+            sampling_frequency,
+            longest_time: TIME,
+        };
+        let responses = responses(&string, &method, &request).unwrap();
+        let sites = Sites::bit();
+        let exact = ExactMotions::along_axis(&string, &rod(210e9), &sites, sampling_frequency);
+        exact.unwrap().error_of(&responses).unwrap()
+    };
+    let [coarse, fine] = [5120.0, 10_240.0].map(|hz| error(Method::Quadrature, 210e9, hz));
+    let order = (coarse / fine).log2();
+    assert!((1.8..2.3).contains(&order), "{coarse} {fine}");
+    let held = error(Method::Held, 210e9, 10_240.0);
+    assert!(held < 0.5 * fine, "{held} {fine}");
+    let stiffer = error(Method::Held, 1.02 * 210e9, 10_240.0);
+    assert!(stiffer > 5.0 * held, "{stiffer} {held}");
 }

@@ -270,3 +270,18 @@ fn val_roots_below_a_motor() {
     let heavy = driven(0.0, 1e12).characteristic(&steady, at);
     assert!((heavy - axis).norm() < 1e-6 * axis.norm());
 }
+
+/// Counted from a growth on, a root is there or not as it grows faster or more slowly.
+#[test]
+fn val_roots_count_from_a_growth_on() {
+    let below = BelowDashpots::new(&[pipe(2000.0)], [0.7, 0.7]);
+    let exact = CuttingLoop::new(&below.string, &below.rod).unwrap();
+    let cut = cut(6e6, 0.02, 8.0, BOTH);
+    let growth = exact.root(&cut, Complex64::new(0.45, 22.0)).unwrap().re;
+    let faster = |growth: f64| {
+        let counted = CuttingLoop::new(&below.string, &below.rod).unwrap();
+        counted.faster_than(growth).growing(&cut).unwrap()
+    };
+    assert_eq!(faster(0.0), exact.growing(&cut).unwrap());
+    assert_eq!(faster(0.999 * growth) - faster(1.001 * growth), 2);
+}

@@ -80,9 +80,13 @@ pub struct CuttingProblem {
     pub depth: f64,
     /// The limit, or why there is none to compare with.
     pub exact: Result<HardestRock, String>,
+    bit: Bit,
+    /// At the surface, kN or m/h.
+    set: f64,
 }
 
 /// The bit, as it is drawn.
+#[derive(Debug, Clone, PartialEq)]
 struct Bit {
     fed: Fed,
     blades: usize,
@@ -127,6 +131,12 @@ impl Bit {
     /// The first part of a sweep file, with what is set at the surface (kN or m/h), in rocks between
     /// two.
     fn scene(&self, set: f64, [soft, hard]: [f64; 2]) -> String {
+        let axis = format!("rock_specific_energy_mpa = {{ values = [{soft}, {hard}] }}");
+        self.scene_along(set, soft, &axis)
+    }
+
+    /// The same in one rock (MPa), along an axis of the design.
+    fn scene_along(&self, set: f64, rock: f64, axis: &str) -> String {
         let kind = self.fed.name();
         let (weight, feed) = match self.fed {
             Fed::HookLoad => (
@@ -135,11 +145,15 @@ impl Bit {
             ),
             Fed::Speed => (String::new(), format!("feed_m_h = {set}\n")),
         };
+        let speed = match axis.starts_with("surface_speed_rpm") {
+            true => String::new(),
+            false => format!("surface_speed_rpm = {}\n", self.speed),
+        };
         format!(
-            "start = \"smooth\"\nsurface_speed_rpm = {}\n\n[bit]\nrock = \"law\"\n{weight}\n[bit.law]\n\
-             specific_energy_mpa = {soft}\n{}\n[feed]\nkind = \"{kind}\"\n{feed}\n[design]\n\
-             kind = \"grid\"\n\n[design.axes]\nrock_specific_energy_mpa = {{ values = [{soft}, {hard}] }}\n\n",
-            self.speed, self.text
+            "start = \"smooth\"\n{speed}\n[bit]\nrock = \"law\"\n{weight}\n[bit.law]\n\
+             specific_energy_mpa = {rock}\n{}\n[feed]\nkind = \"{kind}\"\n{feed}\n[design]\n\
+             kind = \"grid\"\n\n[design.axes]\n{axis}\n\n",
+            self.text
         )
     }
 }
@@ -160,10 +174,21 @@ impl CuttingProblem {
             speed: bit.speed,
             depth: bit.depth,
             exact: Err(String::new()),
+            bit: bit.clone(),
+            set: 0.0,
         };
         let found = drawn.find_limit(&bit);
         drawn.exact = found.map_err(|reason| format!("{reason:#}"));
         Ok(drawn)
+    }
+
+    /// The same in a rock (MPa), at two surface speeds that are a part of one apart from its own, below and
+    /// above, in cases of a time, s.
+    pub(super) fn at_speeds(&self, rock: f64, part: f64, time: f64) -> Problem {
+        let [slow, fast] = [1.0 - part, 1.0 + part].map(|factor| factor * self.speed);
+        let axis = format!("surface_speed_rpm = {{ values = [{slow}, {fast}] }}");
+        let scene = self.bit.scene_along(self.set, rock, &axis);
+        (self.problem).with_scene(format!("time_s = {time}\n{scene}"))
     }
 
     /// The limit; the scene is then that of weight or feed there.
@@ -194,6 +219,7 @@ impl CuttingProblem {
             Fed::Speed => to_m_h(drilling.rate),
         };
         let ends = [energy / WITHIN, energy * WITHIN];
+        self.set = set;
         self.problem = self.problem.with_scene(bit.scene(set, ends));
         // With weight or feed given, the depth of cut changes with the rock.
         let sweep = self.problem.sweep("sampling_frequency_hz = 1000\n")?;

@@ -207,7 +207,7 @@ impl Simulated {
 }
 
 /// The root mean square of what depths of cut differ by from their mean, a part of that.
-fn variation(depths: &[f64]) -> f64 {
+pub(super) fn variation(depths: &[f64]) -> f64 {
     let count = depths.len() as f64;
     let mean = depths.iter().sum::<f64>() / count;
     let squares: f64 = depths.iter().map(|depth| (depth - mean).powi(2)).sum();

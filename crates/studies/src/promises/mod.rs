@@ -3,6 +3,7 @@
 //! is chosen compared with one that no reference of the choice has a part in.
 
 mod cutting;
+mod cutting_accuracy;
 mod cutting_labels;
 mod cutting_limits;
 mod default_limits;
@@ -19,6 +20,9 @@ use anyhow::{Context, Result};
 use rayon::prelude::*;
 
 pub use cutting::{CuttingProblem, Fed, HardestRock};
+pub use cutting_accuracy::{
+    ASKED_ABOVE_CUTTING, CuttingPromise, KeptAboveCutting, Rates, cutting_promises,
+};
 pub use cutting_labels::{CuttingLabel, Small, cutting_labels};
 pub use cutting_limits::{CuttingLimit, Lengths, cutting_limits};
 pub use default_limits::{Found, Wanted, default_limits};

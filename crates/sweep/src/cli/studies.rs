@@ -105,9 +105,13 @@ pub struct PromisesArguments {
     #[arg(long, conflicts_with_all = ["limits", "labels"])]
     pub growth: bool,
     /// Test instead bits that cut: in which rock steady drilling begins to vibrate at the default
-    /// sampling frequency, against the exact criterion; with --labels, the labels of rocks about that
+    /// sampling frequency, against the exact criterion; with --labels, the labels of rocks about that; with
+    /// --accuracy, whether accuracies asked for are kept
     #[arg(long, conflicts_with_all = ["limits", "growth", "motion", "start"])]
     pub cutting: bool,
+    /// With --cutting, whether an accuracy asked for is kept
+    #[arg(long, requires = "cutting", conflicts_with = "labels")]
+    pub accuracy: bool,
     /// Strings of --limits in viscous mud, of a material with loss; their limits are compared with
     /// those of `held` in 4096 and 8192 steps per travel time
     #[arg(long, requires = "limits")]

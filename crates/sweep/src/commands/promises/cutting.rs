@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use campaign::words::{counted, wrapped};
-use studies::promises::{CuttingLabel, CuttingLimit, CuttingProblem, Small};
+use studies::promises::{
+    ASKED_ABOVE_CUTTING, CuttingLabel, CuttingLimit, CuttingProblem, CuttingPromise, Small,
+};
 
 /// A number of decimal megabytes.
 const MB: f64 = 1e6;
@@ -148,4 +150,62 @@ pub fn label_summary(cases: &[CuttingLabel]) -> String {
         (Small::Grows, "grows"),
     ];
     all.map(line).concat()
+}
+
+/// The columns of the table of promises: their names, and what one has there.
+pub fn promise_columns(promise: &CuttingPromise) -> Vec<(&'static str, String)> {
+    let kept = promise.kept.as_ref().ok();
+    let own = [
+        ("asked", promise.asked.to_string()),
+        (
+            "chosen",
+            kept.map_or_else(String::new, |kept| kept.method.clone()),
+        ),
+        (
+            "sampling_frequency_hz",
+            number(kept.map(|kept| kept.sampling_frequency)),
+        ),
+        ("estimated", number(kept.map(|kept| kept.estimated))),
+        ("exact_limit_rpm", number(promise.exact)),
+        ("limit_rpm", number(kept.and_then(|kept| kept.limit))),
+        ("limit_error", number(promise.limit_error())),
+        (
+            "rate_of_penetration_error",
+            number(kept.map(|kept| kept.rates.error)),
+        ),
+        (
+            "rate_of_penetration_chance",
+            number(kept.map(|kept| kept.rates.chance)),
+        ),
+        ("broken_by", number(promise.broken_by())),
+        (
+            "note",
+            promise.kept.as_ref().err().cloned().unwrap_or_default(),
+        ),
+    ];
+    of_problem(&promise.problem)
+        .into_iter()
+        .chain(own)
+        .collect()
+}
+
+/// How many were kept, by what was asked for.
+pub fn promise_summary(promises: &[CuttingPromise]) -> String {
+    let line = |asked: f64| {
+        let of_asked = promises.iter().filter(|promise| promise.asked == asked);
+        let of_asked: Vec<&CuttingPromise> = of_asked.collect();
+        let refused = of_asked.iter().filter(|one| one.kept.is_err()).count();
+        let broken: Vec<f64> = of_asked.iter().filter_map(|one| one.broken_by()).collect();
+        let more = broken.iter().filter(|by| **by > 1.0).count();
+        let with_limit = of_asked.iter().filter_map(|one| one.limit_error()).count();
+        let worst = broken.iter().copied().fold(0.0, f64::max);
+        let words = format!(
+            "{} %: {} tested, {with_limit} of them by a limit, too; {more} broken, the worst {worst:.2} of what was \
+             asked; {refused} refused",
+            100.0 * asked,
+            counted(broken.len(), "promise"),
+        );
+        wrapped(&words, 0, 2)
+    };
+    ASKED_ABOVE_CUTTING.map(line).concat()
 }

@@ -20,8 +20,8 @@ use super::threads::use_threads;
 use crate::cli::PromisesArguments;
 use results::files::write_atomically;
 use studies::promises::{
-    Motion, Wanted, cutting_labels, cutting_limits, default_limits, onsets_of_growth, run,
-    test_labels,
+    Motion, Wanted, cutting_labels, cutting_limits, cutting_promises, default_limits,
+    onsets_of_growth, run, test_labels,
 };
 use table::{columns, summary};
 
@@ -60,6 +60,13 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
         let table = csv_table(cases.iter().map(cutting::label_columns))?;
         let text = cutting::label_summary(&cases);
         ("cutting_labels.csv", table, text)
+    } else if arguments.accuracy {
+        let found = cutting_promises(strings, arguments.seed, &limit, &tick);
+        progress.finish();
+        let promises = found?;
+        let table = csv_table(promises.iter().map(cutting::promise_columns))?;
+        let text = cutting::promise_summary(&promises);
+        ("cutting_promises.csv", table, text)
     } else if arguments.cutting {
         let methods = wanted_methods(&arguments.methods)?;
         let found = cutting_limits(&methods, strings, arguments.seed, &tick);
