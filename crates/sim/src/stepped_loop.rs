@@ -142,7 +142,7 @@ impl SteppedLoop {
     }
 }
 
-/// The sums of taps times z⁻ᵏ on the upper half of a circle, of so many places on the whole of it.
+/// The sums of taps times z⁻ᵏ on the upper half of a circle, which has a number of places as a whole.
 fn on_circle(taps: &[f64], radius: f64, places: usize) -> Vec<Complex64> {
     let mut samples = vec![0.0; places];
     for (index, (sample, tap)) in samples.iter_mut().zip(taps).enumerate() {

@@ -17,12 +17,12 @@ pub struct Answer {
     /// its friction where there is a wall.
     pub limit: Option<f64>,
     /// Numbers that a person would quote.
-    pub measures: Vec<Measure>,
+    pub measures: Vec<Quoted>,
 }
 
 /// A number of a case, or the mean of its starts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Measure {
+pub struct Quoted {
     /// Of what.
     pub name: &'static str,
     /// As large as this.
@@ -31,7 +31,7 @@ pub struct Measure {
     pub chance: f64,
 }
 
-impl Measure {
+impl Quoted {
     /// Of one start, or of what does not depend on the start.
     pub fn alone((name, value): (&'static str, f64)) -> Self {
         let chance = 0.0;
@@ -113,7 +113,7 @@ pub fn answer_of(case: usize, outcomes: &[Result<Outcome>], sites: usize) -> Ans
 }
 
 /// The mean of some starts, with its standard error.
-fn mean(name: &'static str, values: &[f64]) -> Measure {
+fn mean(name: &'static str, values: &[f64]) -> Quoted {
     let count = values.len() as f64;
     let value = values.iter().sum::<f64>() / count;
     let squares: f64 = values.iter().map(|other| (other - value).powi(2)).sum();
@@ -121,7 +121,7 @@ fn mean(name: &'static str, values: &[f64]) -> Measure {
         1 => 0.0,
         _ => (squares / (count - 1.0) / count).sqrt(),
     };
-    Measure {
+    Quoted {
         name,
         value,
         chance,

@@ -98,7 +98,12 @@ impl MethodSystem {
     pub fn wrong_front(&self) -> Option<WrongFront> {
         // Against a wall alone a front does not decide when what turns sticks.
         let decides = |front: &Front| self.setting.lateral.is_none() || front.overshoot() > 0.0;
-        let front = self.front.filter(Front::is_off).filter(decides)?;
+        // A bit that cuts is not held by a torque that a front may overcome.
+        let is_held = self.setting.cutting.is_none();
+        let front = self
+            .front
+            .filter(|front| is_held && front.is_off())
+            .filter(decides)?;
         let method = self.method.name();
         Some(WrongFront { method, front })
     }

@@ -190,9 +190,9 @@ fn val_the_digital_filter_is_exact_within_its_band() {
     assert!(errors[1..].iter().all(|&error| error < 1e-6), "{errors:?}");
 }
 
-/// Along the axis, too, responses come to the exact motions; those of a stiffer rod do not.
+/// Along the axis, too, responses tend to the exact motions; those of a stiffer rod do not.
 #[test]
-fn val_motions_along_the_axis_come_to_the_exact_ones() {
+fn val_motions_along_the_axis_tend_to_the_exact_ones() {
     let string = academic::string();
     let rod = |youngs_modulus: f64| {
         let hoist = Hoist {

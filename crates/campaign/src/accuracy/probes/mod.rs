@@ -1,26 +1,22 @@
 //! A few of the sweep's own cases, simulated to compare methods, and the limits near
 //! them.
 
+mod cutting;
+
 use anyhow::{Result, anyhow, bail};
 use linear::parallel;
 use sim::Stopping;
 
-use super::answer::{Answer, Measure, answer_of, is_inside, largest_chance};
+use super::answer::{Answer, Quoted, answer_of, is_inside};
 use super::bisection::{bisected, geometric};
-use super::steady::{Exact, Stepped, growth_within};
 use super::strings::{Strings, Systems};
 use super::trial;
 use crate::engine::MethodSystem;
 use crate::memory::Limit;
 use crate::plan::{Conditions, Sweep};
-use crate::quantities::Axis;
 
 /// Cases compared, evenly spread over the design.
 const MOST_PROBES: usize = 8;
-
-/// Starts of each case of a bit that cuts, at first and at most.
-const STARTS: usize = 8;
-const MOST_STARTS: usize = 64;
 
 /// A limit is looked for up to this many doublings from a case, or halvings.
 const DOUBLINGS: i32 = 3;
@@ -136,25 +132,6 @@ impl<'a> Probes<'a> {
             probe.drilling = limit;
         }
         Ok(found)
-    }
-
-    /// Whether the bit cuts: then each case has several starts, and its limit is that of steady drilling.
-    pub fn cut(&self) -> bool {
-        self.sweep.setting.cutting.is_some()
-    }
-
-    /// Number of the starts of a case at first.
-    pub fn starts(&self) -> usize {
-        if self.cut() { STARTS } else { 1 }
-    }
-
-    /// Number of the starts of a case by whose means two methods can be compared as certainly as this, a part of
-    /// one, by the chance that is left in some answers.
-    pub fn starts_for(&self, certain: f64, answers: &[Answer]) -> usize {
-        // Chance of two means adds up, and is itself known by a few starts only.
-        let chance = 3.0 * largest_chance(answers).part;
-        let starts = self.starts() as f64 * (chance / certain).powi(2);
-        (starts.ceil() as usize).clamp(self.starts(), MOST_STARTS)
     }
 
     /// A probe's system among those of all strings.
@@ -290,67 +267,14 @@ impl<'a> Probes<'a> {
         let inside = outcome.as_ref().ok().map(is_inside);
         let mut found = answer_of(case, &[outcome], system.setting.sites.len());
         let least = (system.least_impulses.iter()).filter(|least| least.is_finite());
-        let least = least.map(|&least| Measure::alone(("least impulse", least)));
+        let least = least.map(|&least| Quoted::alone(("least impulse", least)));
         found.measures.extend(least);
         (found, inside)
     }
 
-    /// The answers where the bit cuts, each by all starts of its case.
-    fn answers_of_cutting(
-        &self,
-        systems: &Systems,
-        stopping: Stopping,
-        starts: usize,
-    ) -> Vec<Answer> {
-        let mut outcomes = parallel::map(self.probes.len() * starts, 1, |place| {
-            let probe = &self.probes[place / starts];
-            let number = (place % starts + 1) as f64;
-            let conditions = (self.conditions(probe.case, 1.0)).with(Axis::StartNumber, number);
-            trial::outcome(self.sweep, &systems[probe.string], &conditions, stopping)
-        })
-        .into_iter();
-        let limits = parallel::map(self.probes.len(), 1, |place| {
-            let probe = &self.probes[place];
-            self.stepped_drilling_limit(&systems[probe.string], probe)
-        });
-        let probes = self.probes.iter().zip(limits);
-        let answer = |(probe, limit): (&Probe, Option<f64>)| {
-            let of_starts: Vec<_> = outcomes.by_ref().take(starts).collect();
-            let sites = systems[probe.string].setting.sites.len();
-            Answer {
-                limit,
-                ..answer_of(probe.case, &of_starts, sites)
-            }
-        };
-        probes.map(answer).collect()
-    }
-
-    /// The limits of steady drilling near all probes, as they are.
-    pub fn drilling_limits(&self) -> impl Iterator<Item = Option<f64>> {
-        self.probes.iter().map(|probe| probe.drilling)
-    }
-
-    /// The limit of steady drilling near a case as it is, in multiples of its surface speed; `None` where there
-    /// is none, or the bit does not cut, or there are other limits near that one: which of them is next depends
-    /// on anything.
-    fn exact_drilling_limit(&self, probe: &Probe) -> Option<f64> {
-        let values = self.sweep.design.values(probe.case);
-        let (setting, bit) = (
-            self.sweep.setting_at(&values).ok()?,
-            self.sweep.bit.as_ref()?,
-        );
-        let at = |factor: f64| self.conditions(probe.case, factor);
-        let growth = growth_within(probe.duration);
-        let exact = Exact::new(&setting, bit, growth, &at(2f64.powi(-DOUBLINGS)))?;
-        let grows = |factor: f64| exact.grows(&at(factor));
-        let limit = self.limit(grows, grows(1.0)?, None)?;
-        let has_another = |side: f64| self.island_beside(limit, side, grows).is_some();
-        (!has_another(-1.0) && !has_another(1.0)).then_some(limit)
-    }
-
     /// Of the places near a limit on one side of it, below or above, the first where something is otherwise than
     /// next to the limit, as a multiple of that.
-    fn island_beside(
+    fn island_next_to(
         &self,
         limit: f64,
         side: f64,
@@ -365,16 +289,6 @@ impl<'a> Probes<'a> {
         let (_, near) = regimes.next()?;
         let (factor, _) = regimes.find(|(_, regime)| *regime != near)?;
         Some(factor)
-    }
-
-    /// The same as a method steps it, near where it is.
-    fn stepped_drilling_limit(&self, system: &MethodSystem, probe: &Probe) -> Option<f64> {
-        let (near, bit) = (probe.drilling?, self.sweep.bit.as_ref()?);
-        let at = |factor: f64| self.conditions(probe.case, factor);
-        let growth = growth_within(probe.duration);
-        let stepped = Stepped::new(system, bit, growth, &at(2f64.powi(-DOUBLINGS)))?;
-        let grows = |factor: f64| stepped.grows(&at(factor));
-        self.limit(grows, grows(1.0)?, Some(near))
     }
 
     /// Where the regime of a case changes, in multiples of its speed or friction.
@@ -457,7 +371,7 @@ impl<'a> Probes<'a> {
                     outcome.ok().map(|outcome| is_inside(&outcome))
                 };
                 for side in [-1.0, 1.0] {
-                    if let Some(factor) = self.island_beside(limit, side, is_inside_at) {
+                    if let Some(factor) = self.island_next_to(limit, side, is_inside_at) {
                         let case = probe.case;
                         bail!(
                             "the limit near case {case} is ragged: at {factor:.2} times it there \
