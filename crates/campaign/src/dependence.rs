@@ -12,7 +12,7 @@ use crate::engine::{
 use crate::records::{FINER, Record};
 
 use crate::plan::{Setting, Starts, Sweep};
-use crate::sweep_file::StartName;
+use crate::sweep_file::{FileContent, StartName};
 use crate::words::{counted, short};
 
 /// One case in this number is simulated again,
@@ -84,22 +84,27 @@ impl Dependence {
         self.changed >= WARNED_CASES && part >= WARNED_PART
     }
 
-    /// What is to be said of it.
-    pub fn words(&self) -> String {
+    /// What is to be said of it, in a sweep that the file says this of.
+    pub fn words(&self, content: &FileContent) -> String {
         let Self {
             change,
             cases,
             changed,
         } = self;
         let how = change.words();
+        let or_accuracy = match content.may_have_accuracy() {
+            true => ", or set `accuracy`",
+            false => "",
+        };
         let what_to_do = match change {
+            Change::Start(_) => ": `start = \"both\"` shows where".to_owned(),
+            _ if content.accuracy.is_some() => ": ask for a smaller `accuracy`".to_owned(),
             Change::Method(method) => {
-                format!(": add `{method}` to `methods`, and the map shows where, or set `accuracy`")
+                format!(": add `{method}` to `methods`, and the map shows where{or_accuracy}")
             }
             Change::SamplingFrequencyHz(_) => {
-                ": raise `sampling_frequency_hz`, or set `accuracy`".to_owned()
+                format!(": raise `sampling_frequency_hz`{or_accuracy}")
             }
-            Change::Start(_) => ": `start = \"both\"` shows where".to_owned(),
         };
         let of = counted(*cases, "sampled case");
         let advice = if self.is_warned_of() { &what_to_do } else { "" };
@@ -395,6 +400,7 @@ mod tests {
     use std::path::Path;
 
     use super::*;
+    use crate::sweep_file::SweepFileError;
 
     /// A string of a number of parts, all different, under the speeds of a number of cases.
     fn sweep(parts: usize, cases: usize) -> Sweep {
@@ -448,5 +454,66 @@ mod tests {
         let parts: Vec<Vec<Dependence>> = (0..7).map(|index| of(Shard { index, of: 7 })).collect();
         assert_eq!(together(parts.iter().map(Vec::as_slice)), of(Shard::WHOLE));
         assert!(parts.iter().all(|part| part.iter().all(|it| it.cases < 12)));
+    }
+
+    /// A file on top of the paper's drillstring.
+    fn read(text: &str) -> Result<Sweep, SweepFileError> {
+        let text = format!("base = \"academic.toml\"\n{text}");
+        Sweep::read_from(Path::new("sweep.toml"), &[], &|path, _| {
+            Ok(match path.to_str() {
+                Some("sweep.toml") => text.clone(),
+                _ => include_str!("../../../sweeps/academic.toml").to_owned(),
+            })
+        })
+    }
+
+    /// What is said of the labels of a sweep advises an accuracy where one can be asked for, and nowhere else.
+    #[test]
+    fn an_accuracy_is_advised_where_it_can_be_asked_for() {
+        let depends = Dependence {
+            change: Change::SamplingFrequencyHz(640.0),
+            cases: 10,
+            changed: 5,
+        };
+        let bit = "[bit]\ntorque_dynamic_nm = 4000\n";
+        let methods = "methods = [\"held\"]\n";
+        let cutting = "surface_speed_rpm = 120\n[bit]\nrock = \"sandstone\"\nweight_on_bit_kn = 60\n[bit.cutting]\n";
+        let walled =
+            "[wall]\nclearance_mm = 20\nfriction = 0.3\n[[sites]]\ndistance_from_bit_m = 0\n";
+        let speed = "surface_speed_rpm = 120\n";
+        for (rest, is_known) in [
+            (format!("{speed}{bit}"), true),
+            (cutting.to_owned(), true),
+            (format!("{cutting}{walled}"), false),
+            (
+                format!("{speed}{bit}[motor]\nspeed_rpm = 100\nstall_torque_kn_m = 12\n"),
+                false,
+            ),
+            (
+                format!(
+                    "{speed}{bit}[top_drive]\ncontroller = \"stiff\"\ninertia_kg_m2 = 2000\ntorque_limit_kn_m = 30\nsaturates = true\n"
+                ),
+                false,
+            ),
+        ] {
+            let words = depends.words(&read(&format!("{methods}{rest}")).unwrap().content);
+            assert_eq!(words.contains("or set `accuracy`"), is_known, "{words}");
+            let asked = read(&format!("accuracy = 0.1\n{rest}"));
+            match asked {
+                Ok(asked) => {
+                    let words = depends.words(&asked.content);
+                    assert!(
+                        is_known && words.ends_with(": ask for a smaller `accuracy`"),
+                        "{words}"
+                    );
+                }
+                Err(error) => {
+                    assert!(
+                        !is_known && error.to_string().contains("`accuracy`"),
+                        "{error}"
+                    );
+                }
+            }
+        }
     }
 }

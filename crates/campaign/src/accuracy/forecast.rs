@@ -92,7 +92,7 @@ impl Forecast {
             .filter_map(|index| Work::of(probes, index, leads(index), systems));
         let bisections = HALVINGS_BEFORE + probes.halvings() as f64;
         let found = Self::new(building, work.collect(), bisections);
-        match probes.cut() {
+        match probes.cuts() {
             false => found,
             true => Self {
                 bisections: 0.0,

@@ -62,7 +62,7 @@ impl References<'_> {
         self.has_starts(starts);
         let mut whole = stepped(1.0, 0.0, (&first, starts))?;
         let half = stepped(0.5, whole.kept, (&whole.answers, starts))?;
-        if self.probes.cut() {
+        if self.probes.cuts() {
             // Limits are held to where they are.
             let limits = self.probes.drilling_limits();
             for (answer, limit) in whole.answers.iter_mut().zip(limits) {

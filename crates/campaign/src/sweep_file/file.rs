@@ -167,6 +167,12 @@ impl FileContent {
         self.string_friction.is_some() || saturates
     }
 
+    /// Whether an `accuracy` can be asked for: nothing is known of the error of the other scenes.
+    pub fn may_have_accuracy(&self) -> bool {
+        let is_walled = self.has_cutting() && self.wall.is_some();
+        !self.follows_surface() && self.motor.is_none() && !is_walled
+    }
+
     /// Whether the string lies on the low side of its hole: of an inclined well, with a wall.
     pub fn lies_on_low_side(&self) -> bool {
         let is_inclined =

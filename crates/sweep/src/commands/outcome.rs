@@ -79,7 +79,7 @@ fn not_examined(manifest: &Manifest) -> String {
 /// What labels depend on, by a sample of cases.
 fn depends_on(manifest: &Manifest) -> String {
     let found = manifest.depends_on.iter().filter(|it| it.changed > 0);
-    let words: Vec<String> = found.map(Dependence::words).collect();
+    let words: Vec<String> = found.map(|it| it.words(&manifest.sweep)).collect();
     if words.is_empty() {
         return String::new();
     }

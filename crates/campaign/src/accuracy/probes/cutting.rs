@@ -18,13 +18,13 @@ const MOST_STARTS: usize = 64;
 
 impl Probes<'_> {
     /// Whether the bit cuts: then each case has several starts, and its limit is that of steady drilling.
-    pub fn cut(&self) -> bool {
+    pub fn cuts(&self) -> bool {
         self.sweep.setting.cutting.is_some()
     }
 
     /// Number of the starts of a case at first.
     pub fn starts(&self) -> usize {
-        if self.cut() { STARTS } else { 1 }
+        if self.cuts() { STARTS } else { 1 }
     }
 
     /// Number of the starts of a case by whose means two methods can be compared as certainly as this, a part of

@@ -218,7 +218,7 @@ impl<'a> Probes<'a> {
         known: &[Answer],
         starts: usize,
     ) -> Vec<Answer> {
-        if self.cut() {
+        if self.cuts() {
             return self.answers_of_cutting(systems, stopping, starts);
         }
         let found: Vec<(Answer, Option<bool>)> = parallel::map(self.probes.len(), 1, |place| {
@@ -342,7 +342,7 @@ impl<'a> Probes<'a> {
     /// # Errors
     /// Names the first case with one.
     pub fn check_for_islands(&self, systems: &Systems, answers: &[Answer]) -> Result<()> {
-        if self.cut() {
+        if self.cuts() {
             // A limit of steady drilling is known where it is.
             return Ok(());
         }

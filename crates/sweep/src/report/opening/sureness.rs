@@ -177,7 +177,7 @@ fn unstable(results: &Results) -> Option<String> {
 fn depends(results: &Results) -> Option<String> {
     let warned = results.manifest.depends_on.iter();
     let warned: Vec<String> = (warned.filter(|it| it.is_warned_of()))
-        .map(|it| it.words())
+        .map(|it| it.words(&results.manifest.sweep))
         .collect();
     (!warned.is_empty()).then(|| format!("{}.", capital(&warned.join("; "))))
 }
