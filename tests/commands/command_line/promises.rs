@@ -111,7 +111,7 @@ fn labels_that_are_certain_are_seldom_wrong() {
         let of = |is_certain: &str| {
             let rows = study.iter();
             let rows = rows.filter(|row| row[0] == motion && row[4] == is_certain);
-            let known = rows.clone().filter(|row| !row[1].is_empty());
+            let known = rows.clone().filter(|row| !row[5].is_empty());
             let wrong = known.clone().filter(|row| row[3] != row[5]).count();
             (rows.count(), known.count(), wrong)
         };
@@ -207,9 +207,9 @@ fn assert_most_limits_are_near(study: &[[String; 6]]) {
     let within = |rule: &str| {
         let errors = study
             .iter()
-            .filter(|row| row[2] == rule && !row[1].is_empty());
+            .filter(|row| row[2] == rule && !row[5].is_empty());
         let errors: Vec<f64> = errors
-            .map(|row| row[1].parse::<f64>().unwrap().abs())
+            .map(|row| row[5].parse::<f64>().unwrap().abs())
             .collect();
         let good = errors.iter().filter(|error| **error <= 0.05).count();
         good as f64 / errors.len() as f64
