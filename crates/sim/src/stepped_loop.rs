@@ -57,8 +57,9 @@ use linear::{Complex64, Responses};
 use numerics::fft;
 
 /// Places on a circle for each step that responses or the delay between blades last: what turns there turns by
-/// a part of a turn from one to the next that is well below a half.
-const PLACES_A_STEP: f64 = 2.0;
+/// a small part of a turn from one to the next. Next to a limit a root adds nearly half a turn to that, so a limit
+/// is off by a part of the distance of places: of 2 ten-thousandths with half as many.
+const PLACES_A_STEP: f64 = 4.0;
 
 /// More places are not tried: most of a gigabyte.
 const MOST_PLACES: f64 = (1 << 25) as f64;
