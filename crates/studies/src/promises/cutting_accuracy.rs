@@ -8,16 +8,16 @@
 
 use anyhow::{Context, Result, ensure};
 use linear::Method;
-use linear::regenerative::CuttingLoop;
 use linear::waves::lattice::Lattice;
 use rayon::prelude::*;
 use sim::{Stopping, Trajectory};
 
+use super::chosen;
 use super::cutting::{CuttingProblem, WITHIN};
 use super::cutting_limits::variation;
 use super::problem::Problem;
 use campaign::accuracy::bisection::{bisected, geometric};
-use campaign::accuracy::{choose, trial};
+use campaign::accuracy::trial;
 use campaign::engine::{MethodSystem, Recipe};
 use campaign::memory::Limit;
 use campaign::plan::{Conditions, Sweep};
@@ -51,7 +51,7 @@ const DISTURBANCE: f64 = 1e-5;
 const LARGE: f64 = 1e-2;
 
 /// Starts of the rates that others are compared with, none of which the choice has; and their steps, in pieces of
-/// the lattice: no step of the choice is as long.
+/// the lattice: no step of the choice is as short.
 const STARTS: std::ops::Range<usize> = 101..117;
 const PIECES: f64 = 0.4;
 
@@ -155,14 +155,6 @@ fn promises(problem: &CuttingProblem, limit: &Limit) -> Result<Vec<CuttingPromis
     Ok(ASKED_ABOVE_CUTTING.map(promise).to_vec())
 }
 
-/// The sweep of a problem with what is chosen for an accuracy.
-fn chosen(problem: &Problem, asked: f64, limit: &Limit) -> Result<Sweep> {
-    let sweep = problem.sweep(&format!("accuracy = {asked}\n"))?;
-    let found = choose(&sweep, false, limit, &|_| {})?;
-    let (method, choice) = found.context("an accuracy is asked for")?;
-    Ok(sweep.with_choice(method, choice)?)
-}
-
 fn kept(
     problem: &Problem,
     sweep: &Sweep,
@@ -246,9 +238,8 @@ fn growth_that_counts(sweep: &Sweep) -> Result<f64> {
 fn exact_limit(problem: &Problem, speed: f64) -> Result<Option<f64>> {
     let sweep = problem.sweep("methods = [\"held\"]\n")?;
     let setting = &sweep.setting;
-    let settings = setting.cutting.as_ref().context("the bit cuts")?;
     let bit = sweep.bit.as_ref().context("there is a bit")?;
-    let cutting = CuttingLoop::new(&setting.string, &settings.rod)?;
+    let cutting = setting.cutting_loop()?.context("the bit cuts")?;
     let cutting = cutting.faster_than(growth_that_counts(&sweep)?);
     let grows = |speed: f64| {
         let conditions = sweep.conditions.with(Axis::SurfaceSpeedRpm, speed);
