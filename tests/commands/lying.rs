@@ -275,6 +275,46 @@ pub fn rows_of(place: &Workplace) -> Vec<impl Fn(&str) -> f64 + use<>> {
     lines.map(row).collect()
 }
 
+/// A tool where sites are shaken most feels what is measured there without tools, and changes nothing
+/// else; one between sites feels something else.
+#[test]
+fn a_tool_feels_what_a_site_in_its_place_does() {
+    let shaken = |method: &str, tools: &[f64]| {
+        let text = LYING
+            .replace("time_s = 1\n", "time_s = 3\n")
+            .replace("finite-element", method);
+        let tools = tools
+            .iter()
+            .map(|place| format!("[[tools]]\ndistance_from_bit_m = {place}\n"));
+        let place = Workplace::with_small(&(text + DESIGN + &tools.collect::<String>()));
+        rows_of(&place)
+    };
+    const FELT: [&str; 5] = [
+        "acceleration_from_bit_m",
+        "acceleration_peak_g",
+        "acceleration_rms_g",
+        "tangential_acceleration_peak_g",
+        "lateral_shocks_per_s",
+    ];
+    for method in ["held", "quadrature", "finite-element"] {
+        let at_sites = shaken(method, &[]);
+        let most = at_sites[1](FELT[0]);
+        let with_tools = shaken(method, &[most]);
+        let between = shaken(method, &[most + 3.3]);
+        for column in FELT {
+            let (site, tool) = (at_sites[1](column), with_tools[1](column));
+            let apart = (site - tool).abs();
+            assert!(apart <= 1e-8 * site, "{method} {column}: {site} {tool}");
+        }
+        assert_eq!(between[1](FELT[0]), most + 3.3);
+        let [site, tool] = [&at_sites, &between].map(|rows| rows[1](FELT[1]));
+        assert!(tool < site && tool > 0.01 * site, "{method}: {site} {tool}");
+        for column in ["climb_deg", "swing_deg", "peak_radius_mm"] {
+            assert_eq!(at_sites[1](column), between[1](column), "{method}");
+        }
+    }
+}
+
 /// What begins in steady sliding stays there; what only turns climbs first.
 #[test]
 fn a_string_that_lies_begins_at_rest_turning_or_sliding() {
@@ -330,6 +370,33 @@ fn what_does_not_go_with_a_string_that_lies_is_refused_by_its_key() {
             LYING.replace("\"ends\"", "\"ends\"\nshock_g = -1"),
             "wall.shock_g",
             "g",
+        ),
+        (
+            LYING.to_owned() + "[[tools]]\ndistance_from_bit_m = 500\n",
+            "tools[0].distance_from_bit_m",
+            "off the string",
+        ),
+        (
+            LYING.replace("\"ends\"", "\"ends\"\nsites_to_m = 30")
+                + "[[tools]]\ndistance_from_bit_m = 5\n[[tools]]\ndistance_from_bit_m = 40\n",
+            "tools[1].distance_from_bit_m",
+            "above the highest site",
+        ),
+        (
+            LYING.to_owned() + &"[[tools]]\ndistance_from_bit_m = 5\n".repeat(2),
+            "tools[1].distance_from_bit_m",
+            "another tool",
+        ),
+        (
+            LYING
+                .replace(
+                    "[wall]\nclearance = \"hole\"\nfriction = 0.3\nsites = \"ends\"\n",
+                    "",
+                )
+                .replace("clearance_mm = 2\n", "")
+                + "[[tools]]\ndistance_from_bit_m = 5\n",
+            "tools",
+            "needs a table [wall]",
         ),
         (
             LYING.replace("\"ends\"", "\"ends\"\nstress_every_m = 0.01"),

@@ -141,8 +141,8 @@ pub use numerics::fft;
 pub use pulse::RaisedCosine;
 pub use responses::{
     ChannelRequest, ChannelResponses, DrivenSurface, DrivenSurfacePlan, Earlier, ImpulseTrains,
-    IntegralRule, MarginPlan, MomentPlan, MomentResponses, Request, ResponsePlan, Responses,
-    SurfaceTorquePlan, responses, surface_torque,
+    IntegralRule, MarginPlan, PlacePlan, PlaceQuantity, PlaceResponses, Request, ResponsePlan,
+    Responses, SurfaceTorquePlan, responses, surface_torque,
 };
 pub use sites::Sites;
 pub use steady::{GrowingTorque, SteadyMotion};

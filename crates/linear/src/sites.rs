@@ -36,6 +36,17 @@ pub(crate) struct SitesAndPlaces {
     pub places: Vec<usize>,
 }
 
+impl SitesAndPlaces {
+    /// Each place with each site, by their numbers.
+    pub(crate) fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
+        let with_sites = |place: &usize| {
+            let place = *place;
+            self.sites.iter().map(move |site| (place, *site))
+        };
+        self.places.iter().flat_map(with_sites)
+    }
+}
+
 impl Sites {
     /// Sites at the given distances from the bit (m), in any order; they are
     /// numbered from the surface down, so that the bit, if it is one, is last.

@@ -39,7 +39,7 @@
 //! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`watch::torsion`] |
-//! | bending moments after a case, by the forces of it; stress | [`BendingMoments`], [`StressMeasures`] |
+//! | bending moments and displacements after a case, by its forces; stress | [`AtPlaces`], [`StressMeasures`] |
 //! | Section 5.2.2: transient contact or whirl | [`watch::lateral`], its bound in [`steady_whirl`] |
 //! | Section 5: what a case is, and what disturbs it | [`scene`], [`excitation`] |
 //! | one case from rest to its label | [`simulator`], [`Outcome`], [`trajectory`] |
@@ -81,8 +81,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod at_places;
 mod axial_motion;
-mod bending_moments;
 pub mod convolution;
 mod coupling;
 pub mod diagnosis;
@@ -119,7 +119,7 @@ pub mod waveguide;
 mod wavering;
 mod words;
 
-pub use bending_moments::BendingMoments;
+pub use at_places::AtPlaces;
 pub use error::SimulationError;
 pub use excitation::{EccentricMass, Impulse};
 pub use label::{Label, Labels};
@@ -155,7 +155,7 @@ pub use trajectory::Trajectory;
 pub use watch::along::StringTorque;
 pub use watch::axial::{AxialAcceleration, AxialMeasures, AxialRegime};
 pub use watch::lateral::{LateralMeasures, LateralRegime, LyingMeasures};
-pub use watch::shocks::ShockMeasures;
+pub use watch::shocks::{ShakenPlace, ShockMeasures};
 pub use watch::stress::{Peak, StressMeasures, StressedPlace};
 pub use watch::surface::SurfaceMeasures;
 pub use watch::torsion::{TorsionMeasures, TorsionRegime};

@@ -103,7 +103,10 @@ fn no_run_takes_more_memory_than_its_limit() {
     }
     let some = with(&lateral(4, 20.0), "time_s = 12", "time_s = 20");
     holds("run", &by("finite-element", &some));
-    let stressed = |text: &str| with(text, "friction = 1.5", "friction = 1.5\nstress_every_m = 2");
+    let stressed = |text: &str| {
+        let text = with(text, "friction = 1.5", "friction = 1.5\nstress_every_m = 2");
+        text + "\n[[tools]]\ndistance_from_bit_m = 3\n[[tools]]\ndistance_from_bit_m = 5\n"
+    };
     for method in ["held", "quadrature", "finite-element"] {
         holds("run", &by(method, &stressed(&some)));
     }

@@ -291,6 +291,7 @@ fn lateral_scene(
         impulses: impulses.collect::<Result<_, CaseError>>()?,
         eccentric_masses: settings.eccentric_masses.clone(),
         lying: lying.transpose()?,
-        shocks: settings.shocks,
+        // Those of tools are found of the motion.
+        shocks: settings.shocks.filter(|_| settings.tools.is_empty()),
     })
 }

@@ -2,13 +2,13 @@
 //! them: a dry run of what builds them.
 
 use linear::budget::{Budget, Need};
-use linear::{BuildError, Method, Sites, SurfaceTorquePlan};
+use linear::{BuildError, Method, PlaceQuantity, Sites, SurfaceTorquePlan};
 use sim::SurfaceTorque;
 
+use super::along::Along;
 use super::dry_run::ask;
 use super::finding::most_sites;
 use super::finer::finer_frequency;
-use super::stress;
 use super::system_plan::SystemPlan;
 use super::whole_string::whole_string;
 use crate::plan::{Setting, Sweep};
@@ -89,8 +89,9 @@ fn dry_run(sweep: &Sweep, plan: &SystemPlan) -> Result<(Need, f64), BuildError> 
         SurfaceTorquePlan::new(&plan.setting.string, plan.method, &request)?.ask(&budget.part())?;
         SurfaceTorque::ask(stepping.recorded, stepping.taps, &budget)?;
     }
-    if sweep.content.measures_stress() {
-        case += stress::ask(plan, &budget)?;
+    if let Some(lateral) = lateral {
+        case += Along::ask(plan, (PlaceQuantity::Moment, &lateral.stressed), &budget)?;
+        case += Along::ask(plan, (PlaceQuantity::Displacement, &lateral.tools), &budget)?;
     }
     if finds_surface_torque || stepping.follows_surface {
         case += SurfaceTorque::bytes_of_motion(stepping.taps, plan.steps());

@@ -15,6 +15,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod along;
 mod answer;
 mod case;
 mod case_error;
@@ -44,6 +45,7 @@ mod survey;
 mod system_plan;
 mod systems;
 mod timing;
+mod tools;
 mod whole_string;
 
 pub use answer::answer;

@@ -4,148 +4,53 @@
 //! its walls then differ; one that hangs has the latter alone. Tension is that at rest, and torque the
 //! mean that bit and walls below a place take in the closing window.
 
-use anyhow::Result;
-use linear::elements::reconstruction::WholeString;
-use linear::{Budget, BuildError, MomentPlan, Tube};
-use sim::{BendingMoments, StressMeasures, StressedPlace, Trajectory};
+use sim::{StressMeasures, StressedPlace, Trajectory};
 
+use super::along::{Along, closing_from, tubes_at};
 use super::case::Case;
 use super::case_error::CaseError;
-use super::stepped::stepped_by;
 use super::system_plan::SystemPlan;
 use crate::plan::{LateralSettings, Setting};
 
-/// Moments by forces, as a method has them.
-#[derive(Debug)]
-pub(super) enum Moments {
-    /// By responses.
-    Responses(BendingMoments),
-    /// By stepping its elements once more.
-    Elements,
-}
-
-/// The string of a method that steps its elements, and where it is stressed.
-fn stepped_string<'a>(plan: &SystemPlan<'a>) -> Option<WholeString<'a>> {
-    let (lateral, parameters) = stepped_by(plan.setting, plan.method)?;
-    Some(WholeString {
-        string: &plan.setting.string,
-        bending: &lateral.bending,
-        support: lateral.support,
-        sites: &plan.setting.sites,
-        sampling_frequency: plan.setting.sampling_frequency,
-        parameters,
-    })
-}
-
-/// Asks for what moments take of a budget, where they are found, and returns the bytes of a case.
+/// What a motion did to the string over the closing window, where that is to be known.
 ///
 /// # Errors
-/// Where they cannot be built, or are more than is left.
-pub(super) fn ask(plan: &SystemPlan, budget: &Budget) -> Result<f64, BuildError> {
-    let Some(lateral) = stressed(plan.setting) else {
-        return Ok(0.0);
+/// Where its moments cannot be found.
+pub(super) fn measures(
+    moments: &Along,
+    (plan, lateral): (&SystemPlan, &LateralSettings),
+    case: &Case,
+    motion: &Trajectory,
+) -> Result<StressMeasures, CaseError> {
+    let (places, setting) = (&lateral.stressed, plan.setting);
+    let (window, rate) = (case.scene.timing.closing_window, setting.sampling_frequency);
+    let from = closing_from(motion, window, rate);
+    let mut moments = moments.of(plan, places, motion, from)?;
+    let resting = Resting {
+        setting,
+        compression: lateral.bending.compression,
+        lying: case.lying(setting)?,
     };
-    let (places, sites) = (&lateral.stressed, plan.setting.sites.len());
-    if let Some(whole) = stepped_string(plan) {
-        return Ok(whole.need_of_moments(places.len(), plan.steps()).peak);
-    }
-    let request = plan.request();
-    let moments = MomentPlan::new(&plan.setting.string, plan.method, &request, places)?;
-    let passing = budget.part();
-    moments.ask(&passing)?;
-    let count = (places.len(), sites);
-    BendingMoments::ask(count, moments.taps(), budget)?;
-    Ok(BendingMoments::bytes_of_motion(
-        count,
-        moments.taps(),
-        plan.steps(),
-    ))
-}
-
-/// The lateral part of a setting, where stress is measured.
-fn stressed(setting: &Setting) -> Option<&LateralSettings> {
-    let lateral = setting.lateral.as_ref();
-    lateral.filter(|lateral| !lateral.stressed.is_empty())
-}
-
-impl Moments {
-    /// Of a setting, where they are found.
-    ///
-    /// # Errors
-    /// Where the method does not treat the string.
-    pub(super) fn of(plan: &SystemPlan) -> Result<Option<Self>> {
-        let Some(lateral) = stressed(plan.setting) else {
-            return Ok(None);
-        };
-        if stepped_string(plan).is_some() {
-            return Ok(Some(Self::Elements));
+    let turned = turned(motion, from, setting.sampling_frequency);
+    let sites = setting.sites.distances_from_bit();
+    for (place, moments) in places.iter().zip(&mut moments) {
+        for (moments, resting) in moments.iter_mut().zip(resting.moment(*place)) {
+            moments.iter_mut().for_each(|moment| *moment += resting);
         }
-        let request = plan.request();
-        let (string, places) = (&plan.setting.string, &lateral.stressed);
-        let responses = MomentPlan::new(string, plan.method, &request, places)?;
-        let responses = responses.build(&Budget::unlimited())?;
-        Ok(Some(Self::Responses(BendingMoments::new(responses)?)))
     }
-
-    /// What a motion did to the string over the closing window.
-    ///
-    /// # Errors
-    /// Where its moments cannot be found.
-    pub(super) fn measures(
-        &self,
-        plan: &SystemPlan,
-        case: &Case,
-        motion: &Trajectory,
-    ) -> Result<Option<StressMeasures>, CaseError> {
-        let Some(lateral) = stressed(plan.setting) else {
-            return Ok(None);
-        };
-        let places = &lateral.stressed;
-        let window = case.scene.timing.closing_window * plan.setting.sampling_frequency;
-        let from = (motion.times.len()).saturating_sub((window.round() as usize).max(1));
-        let failed = |error: anyhow::Error| CaseError::Responses(error);
-        let mut moments = match (self, stepped_string(plan)) {
-            (Self::Responses(moments), _) => {
-                let moments = moments.of(&motion.forces, from);
-                moments.map_err(|error| failed(error.into()))?
-            }
-            (Self::Elements, None) => return Ok(None),
-            (Self::Elements, Some(whole)) => {
-                let free = plan.setting.sites.without_springs();
-                let whole = WholeString {
-                    sites: &free,
-                    ..whole
-                };
-                let moments = whole.moments(&motion.forces, places, from);
-                moments.map_err(|error| failed(error.into()))?
-            }
-        };
-        let resting = Resting {
-            setting: plan.setting,
-            compression: lateral.bending.compression,
-            lying: case.lying(plan.setting)?,
-        };
-        let turned = turned(motion, from, plan.setting.sampling_frequency);
-        let sites = plan.setting.sites.distances_from_bit();
-        for (place, moments) in places.iter().zip(&mut moments) {
-            for (moments, resting) in moments.iter_mut().zip(resting.moment(*place)) {
-                moments.iter_mut().for_each(|moment| *moment += resting);
-            }
+    let stressed = places.iter().zip(&moments).map(|(&place, moments)| {
+        let apart = |site: &usize| (sites[*site] - place).abs();
+        let nearest = (0..sites.len()).min_by(|one, other| apart(one).total_cmp(&apart(other)));
+        StressedPlace {
+            from_bit: place,
+            tubes: tubes_at(setting, place),
+            tension: resting.tension(place),
+            torque: torque_below(motion, sites, place, from),
+            moments,
+            turned: nearest.map_or(&[], |site| &turned[site]),
         }
-        let stressed = places.iter().zip(&moments).map(|(&place, moments)| {
-            let apart = |site: &usize| (sites[*site] - place).abs();
-            let nearest = (0..sites.len()).min_by(|one, other| apart(one).total_cmp(&apart(other)));
-            StressedPlace {
-                from_bit: place,
-                tubes: tubes_at(plan.setting, place),
-                tension: resting.tension(place),
-                torque: torque_below(motion, sites, place, from),
-                moments,
-                turned: nearest.map_or(&[], |site| &turned[site]),
-            }
-        });
-        Ok(Some(StressMeasures::of(stressed)))
-    }
+    });
+    Ok(StressMeasures::of(stressed))
 }
 
 /// The string as it is at rest.
@@ -176,13 +81,6 @@ impl Resting<'_> {
         });
         piece.map_or(0.0, |piece| piece.tension) - self.compression
     }
-}
-
-/// The tubes that meet at a distance from the bit (m).
-fn tubes_at(setting: &Setting, place: f64) -> [Tube; 2] {
-    let sections = setting.string.sections();
-    let parts = setting.string.parts_around(place);
-    parts.map(|(section, part)| sections[section].parts[part])
 }
 
 /// By how much each site has turned in each step from one on, rad.

@@ -5,19 +5,21 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use anyhow::Result;
 use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_response, largest_undershoot, stick_slip_speed_limit};
-use linear::{ChannelResponses, Method, Responses};
+use linear::{ChannelResponses, Method, PlaceQuantity, Responses};
 use sim::{
-    Label, Measures, Motion, Outcome, Scene, SimulationError, Simulator, Stopping, StressMeasures,
-    SurfaceTorque, TorsionRegime, Trajectory,
+    Label, Measures, Motion, Outcome, Scene, SimulationError, Simulator, Stopping, SurfaceTorque,
+    TorsionRegime, Trajectory,
 };
 
+use super::along::Along;
 use super::case::Case;
 use super::case_error::CaseError;
 use super::front::{Front, WrongFront};
 use super::instability::{Instability, is_unstable};
 use super::run_options::RunOptions;
-use super::stress::Moments;
+use super::stress;
 use super::system_plan::SystemPlan;
+use super::tools;
 use crate::plan::{Setting, Sweep};
 use crate::records::{ByStart, Failure, Record, Verdict, verdict};
 
@@ -54,8 +56,10 @@ pub struct MethodSystem {
     simulator: Simulator,
     /// What turns the surface, where that is to be known of a string that is not in pieces.
     surface_torque: Option<SurfaceTorque>,
-    /// What bends the string, where that is to be known.
-    moments: Option<Moments>,
+    /// What bends the string along its length, where that is to be known.
+    moments: Option<Along>,
+    /// The same of what shakes its tools.
+    displacements: Option<Along>,
     /// The same by steps that are shorter, where labels are certified.
     finer: Option<Box<MethodSystem>>,
 }
@@ -203,25 +207,46 @@ impl MethodSystem {
         }
     }
 
-    /// Makes it known how the string is bent and stressed, where its setting asks for that.
+    /// Makes it known how the string is bent, stressed and shaken along its length, where its setting asks
+    /// for that.
     ///
     /// # Errors
     /// Where the method does not treat the string.
-    pub fn follow_stress(&mut self) -> Result<()> {
-        self.moments = Moments::of(&self.plan())?;
+    pub fn follow_places(&mut self) -> Result<()> {
+        let Some(lateral) = &self.setting.lateral else {
+            return Ok(());
+        };
+        let [moments, displacements] = [
+            (PlaceQuantity::Moment, lateral.stressed.as_slice()),
+            (PlaceQuantity::Displacement, &lateral.tools),
+        ]
+        .map(|wanted| Along::build(&self.plan(), wanted));
+        (self.moments, self.displacements) = (moments?, displacements?);
         Ok(())
     }
 
-    /// How a motion bent and stressed the string, where that is to be known.
-    fn stress(
+    /// Adds to the outcome of a case how its motion bent, stressed and shook the string, where that is to be
+    /// known.
+    fn add_at_places(
         &self,
         case: &Case,
         motion: &Trajectory,
-    ) -> Result<Option<StressMeasures>, CaseError> {
-        match &self.moments {
-            None => Ok(None),
-            Some(moments) => moments.measures(&self.plan(), case, motion),
+        outcome: &mut Outcome,
+    ) -> Result<(), CaseError> {
+        let Some(lateral) = &self.setting.lateral else {
+            return Ok(());
+        };
+        let plan = self.plan();
+        let of = (&plan, lateral);
+        if let Some(moments) = &self.moments {
+            outcome.stress = Some(stress::measures(moments, of, case, motion)?);
         }
+        if let (Some(displacements), Some(Measures::Lateral(measures))) =
+            (&self.displacements, &mut outcome.measures[Motion::Lateral])
+        {
+            measures.shocks = tools::measures(displacements, of, case, motion)?;
+        }
+        Ok(())
     }
 
     /// What it was built from, as far as the string's bending and the surface's torque go.
@@ -325,8 +350,6 @@ impl MethodSystem {
         if let Ok(simulated) = simulated {
             let lateral = simulated.as_ref().ok().and_then(Outcome::lateral);
             record.site_from_bit_m = lateral.map(|lateral| walls[lateral.site]);
-            let shocks = lateral.and_then(|lateral| lateral.shocks);
-            record.shock_from_bit_m = shocks.map(|shocks| walls[shocks.site]);
             record.outcome = simulated.map_err(|error| {
                 let site = error.site();
                 let site = site.and_then(|site| Some((site, *ports.get(site)?)));
@@ -342,18 +365,22 @@ impl MethodSystem {
                     let window = case.scene.timing.closing_window;
                     outcome.surface = Some(torque.measures(&motion.surface_torque, window));
                 }
-                match self.stress(case, motion) {
-                    Ok(stress) => outcome.stress = stress,
-                    Err(reason) => {
-                        record.outcome = Err(Failure::new(reason));
-                        return record;
-                    }
+                if let Err(reason) = self.add_at_places(case, motion, outcome) {
+                    record.outcome = Err(Failure::new(reason));
+                    return record;
                 }
                 record.misfits = (sweep.data.comparisons.iter())
                     .map(|comparison| comparison.misfit(motion))
                     .collect();
             }
         }
+        let shocks = (record.outcome.as_ref().ok()).and_then(Outcome::lateral);
+        let shocks = shocks.and_then(|lateral| lateral.shocks);
+        let shaken = match &self.setting.lateral {
+            Some(lateral) if !lateral.tools.is_empty() => lateral.tools.as_slice(),
+            _ => walls,
+        };
+        record.shock_from_bit_m = shocks.map(|shocks| shaken[shocks.site]);
         record
     }
 }

@@ -13,6 +13,7 @@ use super::finding::{self, Finding};
 use super::impulses::{self, ImpulseSettings};
 use super::sites::Places;
 use super::stress;
+use super::tools;
 use super::wall::{self, WallSettings};
 use crate::design::Design;
 use crate::quantities::{Axis, StringAxis, WallQuantity};
@@ -42,6 +43,9 @@ pub struct LateralSettings {
     /// Where bending and stress are measured, m from the bit, from the surface down; nothing where they
     /// are not.
     pub stressed: Vec<f64>,
+    /// Where tools feel accelerations, m from the bit, from the surface down; nothing where these are
+    /// measured at the sites.
+    pub tools: Vec<f64>,
     /// Impulses.
     pub impulses: Vec<ImpulseSettings>,
     /// Eccentric masses.
@@ -113,6 +117,7 @@ pub fn resolve(
         finding: finding::resolve(source, content, in_hole, found)?,
         shocks: shocks(source, content)?,
         stressed: stress::places(source, content, &places.sites)?,
+        tools: tools::places(source, content, in_hole.string, &places.sites)?,
         impulses,
         eccentric_masses,
     }))
@@ -121,7 +126,7 @@ pub fn resolve(
 /// The acceleration, m/s², beyond which a shock is counted, where accelerations are measured.
 fn shocks(source: &Source, content: &FileContent) -> Result<Option<f64>, SweepFileError> {
     let given = content.wall.and_then(|wall| wall.shock_g);
-    let by_default = content.lies_on_low_side().then_some(SHOCK_G);
+    let by_default = content.measures_shocks().then_some(SHOCK_G);
     let shock = given.or(by_default);
     let within = |shock| source.within("wall.shock_g", shock, 1e-3, 1e5, "g");
     Ok(shock.map(within).transpose()?.map(|shock| shock * GRAVITY))
@@ -167,6 +172,7 @@ fn refuse_keys(
     for (key, is_given) in [
         ("impulses", !content.impulses.is_empty()),
         ("eccentric_masses", !content.eccentric_masses.is_empty()),
+        ("tools", !content.tools.is_empty()),
         ("design.axes.impulse_ratio", varies(Axis::ImpulseRatio)),
     ] {
         source.refuse_if(is_given, key, message)?;

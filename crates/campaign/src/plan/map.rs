@@ -105,7 +105,7 @@ fn is_measured(
                 .lateral
                 .as_ref()
                 .is_some_and(|it| it.shocks.is_some()),
-            "accelerations: `[wall] shock_g`",
+            "accelerations: `[wall] shock_g` or `[[tools]]`",
         ),
         Needs::Stress => (
             content.measures_stress(),

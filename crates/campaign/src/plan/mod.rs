@@ -41,6 +41,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 mod texts;
+mod tools;
 mod top_drive;
 mod wall;
 mod well_course;

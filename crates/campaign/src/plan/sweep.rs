@@ -264,7 +264,8 @@ impl Sweep {
     /// Whether the motion of every case is kept until its row is known.
     pub fn keeps_motion(&self) -> bool {
         let compares = !self.data.comparisons.is_empty();
-        self.measures_surface_torque() || self.content.measures_stress() || compares
+        let measures_places = self.content.measures_stress() || !self.content.tools.is_empty();
+        self.measures_surface_torque() || measures_places || compares
     }
 
     /// Whether the torque that turns the surface is to be found of motions that are kept.
@@ -361,6 +362,7 @@ impl Sweep {
         let (mut content, conditions) = self.changed(&values)?;
         content.impulses.clear();
         content.eccentric_masses.clear();
+        content.tools.clear();
         let sites = distances_from_bit.iter().copied();
         content.sites = sites.map(SiteTable::at).collect();
         if let Some(wall) = &mut content.wall {

@@ -10,7 +10,7 @@ use super::compare::CompareTable;
 use super::design::{AxisRange, DesignTable, PointsName, Spacing};
 use super::feed::FeedTable;
 use super::lateral::{
-    ClearanceName, EccentricMassTable, ImpulseTable, SiteTable, SitesName, WallTable,
+    ClearanceName, EccentricMassTable, ImpulseTable, SiteTable, SitesName, ToolTable, WallTable,
 };
 use super::map::MapTable;
 use super::methods::{MethodName, MethodTables};
@@ -112,6 +112,9 @@ pub struct FileContent {
     /// Masses out of balance; need a wall.
     #[serde(default)]
     pub eccentric_masses: Vec<EccentricMassTable>,
+    /// Where accelerations are measured, instead of at the sites; need a wall.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tools: Vec<ToolTable>,
     /// The largest error wanted, instead of `methods`, `method` and `sampling_frequency_hz`:
     /// the cheapest method and sampling frequency that meet it on this string and these cases,
     /// by the program's own estimate.
@@ -183,7 +186,8 @@ impl FileContent {
 
     /// Whether accelerations are measured.
     pub fn measures_shocks(&self) -> bool {
-        self.lies_on_low_side() || self.wall.is_some_and(|wall| wall.shock_g.is_some())
+        let by_wall = self.wall.is_some_and(|wall| wall.shock_g.is_some());
+        self.lies_on_low_side() || by_wall || !self.tools.is_empty()
     }
 
     /// Whether bending and stress of the moving string are measured.

@@ -78,7 +78,8 @@ pub struct WallTable {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lies_on_low_side: Option<bool>,
     /// The acceleration sideways, in g, beyond which a shock is counted, where accelerations are
-    /// measured: those of a string that lies in its hole (left out, 25 g), others only if this is given.
+    /// measured: those of a string that lies in its hole or has `[[tools]]` (left out, 25 g), others only
+    /// if this is given.
     #[schemars(range(min = 0.001, max = 1e5))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shock_g: Option<f64>,
@@ -198,6 +199,15 @@ pub struct EccentricMassTable {
     /// Its offset d from the string's centre.
     #[schemars(range(min = 0.0, max = 10.0))]
     pub offset_m: f64,
+}
+
+/// A tool in the string that feels how it is shaken.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolTable {
+    /// Where on the string, at a site or anywhere else.
+    #[schemars(range(min = 0.0))]
+    pub distance_from_bit_m: f64,
 }
 
 /// A place on the string.

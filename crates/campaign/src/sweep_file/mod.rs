@@ -53,7 +53,7 @@ pub use error::SweepFileError;
 pub use feed::{FeedName, FeedTable};
 pub use file::FileContent;
 pub use lateral::{
-    BendingTable, EccentricMassTable, ImpulseTable, SiteTable, SitesName, SupportName,
+    BendingTable, EccentricMassTable, ImpulseTable, SiteTable, SitesName, SupportName, ToolTable,
 };
 pub use map::MarkTable;
 pub use methods::MethodName;

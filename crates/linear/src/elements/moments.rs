@@ -38,8 +38,9 @@ impl LowerCouple {
 }
 
 impl WholeString<'_> {
-    /// Memory that [`WholeString::moments`] takes at a number of places for a number of steps.
-    pub fn need_of_moments(&self, places: usize, steps: f64) -> Need {
+    /// Memory that [`WholeString::moments`] or [`WholeString::displacements`] takes at a number of places
+    /// for a number of steps.
+    pub fn need_at_places(&self, places: usize, steps: f64) -> Need {
         let kept = 2.0 * REAL * places as f64 * steps;
         Need {
             peak: self.need_with(places, 0).peak + kept,
@@ -100,5 +101,33 @@ impl WholeString<'_> {
             }
         })?;
         Ok(moments)
+    }
+
+    /// The same of displacements along x and along y, m, of the places themselves.
+    ///
+    /// # Errors
+    /// As [`WholeString::moments`].
+    pub fn displacements(
+        &self,
+        forces: &[Vec<Vec<f64>>; 2],
+        places: &[f64],
+        from: usize,
+    ) -> Result<Vec<[Vec<f64>; 2]>, BuildError> {
+        let places = Sites::new(self.string, places)?;
+        let cut = (self.sites).with_places(self.string, places.distances_from_bit())?;
+        let (beam, mesh) = self.mesh(&cut.nodes)?;
+        let mut displacements = vec![[Vec::new(), Vec::new()]; cut.places.len()];
+        self.step_through((&beam, &cut.sites), forces, |step, motion| {
+            if step < from {
+                return;
+            }
+            for (displacements, &place) in displacements.iter_mut().zip(&cut.places) {
+                let moved = beam.seen_at(motion, mesh.site_nodes[place]);
+                for (displacements, moved) in displacements.iter_mut().zip(moved) {
+                    displacements.push(moved);
+                }
+            }
+        })?;
+        Ok(displacements)
     }
 }

@@ -6,6 +6,7 @@ use num_complex::Complex64;
 use super::channels::ChannelResponses;
 use super::drag_at_rest::DragAtRest;
 use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, transform_length};
+use super::places::PlaceQuantity;
 use super::request::Request;
 use crate::assembly::lanes::Lanes;
 use crate::assembly::matrix::ResponseMatrix;
@@ -34,7 +35,8 @@ pub(super) struct BendingPlan<'a> {
     bending: &'a Bending,
     support: SurfaceSupport,
     wanted: Wanted,
-    /// Whose displacements are made; none where moments are wanted.
+    /// Whose displacements are made, by the nodes at which the string is cut; none where moments are
+    /// wanted.
     pairs: Vec<Pair>,
     /// Taps of each response.
     taps: usize,
@@ -47,8 +49,8 @@ pub(super) struct BendingPlan<'a> {
 pub(super) enum Wanted {
     /// Displacements of all sites of the request from forces there.
     Displacements,
-    /// Moments at some places from forces at the sites of the request.
-    Moments(SitesAndPlaces),
+    /// The same or moments at some places.
+    AtPlaces(PlaceQuantity, SitesAndPlaces),
 }
 
 impl<'a> BendingPlan<'a> {
@@ -75,7 +77,13 @@ impl<'a> BendingPlan<'a> {
                 let count = pairs.len();
                 (pairs, count)
             }
-            Wanted::Moments(cut) => (Vec::new(), cut.places.len() * sites),
+            Wanted::AtPlaces(quantity, cut) => {
+                let pairs = match quantity {
+                    PlaceQuantity::Displacement => cut.pairs().collect(),
+                    PlaceQuantity::Moment => Vec::new(),
+                };
+                (pairs, cut.places.len() * sites)
+            }
         };
         let taps = needed as usize;
         let buffers = match method {
@@ -118,7 +126,7 @@ impl<'a> BendingPlan<'a> {
         let sites = self.request.sites.len();
         let (responses, nodes) = match &self.wanted {
             Wanted::Displacements => (sites * sites, sites),
-            Wanted::Moments(cut) => (cut.places.len() * sites, cut.nodes.len()),
+            Wanted::AtPlaces(_, cut) => (cut.places.len() * sites, cut.nodes.len()),
         };
         let made = self.buffers.need(working_bytes(nodes, 4));
         let kept = REAL * (responses * self.taps) as f64;
@@ -175,7 +183,7 @@ impl<'a> BendingPlan<'a> {
         }
     }
 
-    /// Responses by pair of sites, or of the moment at each place from each force.
+    /// Responses by pair of sites, or of what is wanted at each place from each force.
     ///
     /// # Errors
     /// Where they are not finite.
@@ -189,7 +197,7 @@ impl<'a> BendingPlan<'a> {
     fn nodes(&self) -> &Sites {
         match &self.wanted {
             Wanted::Displacements => &self.request.sites,
-            Wanted::Moments(cut) => &cut.nodes,
+            Wanted::AtPlaces(_, cut) => &cut.nodes,
         }
     }
 
@@ -199,8 +207,10 @@ impl<'a> BendingPlan<'a> {
         let (frequency, needed, count) =
             (request.sampling_frequency, self.taps, self.buffers.channels);
         let answer = |s: Lanes, responses: &mut [Lanes]| match &self.wanted {
-            Wanted::Displacements => self.write_pairs(&network.receptance(s), responses),
-            Wanted::Moments(cut) => responses.copy_from_slice(&network.moments(s, cut)),
+            Wanted::AtPlaces(PlaceQuantity::Moment, cut) => {
+                responses.copy_from_slice(&network.moments(s, cut));
+            }
+            _ => self.write_pairs(&network.receptance(s), responses),
         };
         let by_formula = |formula: Formula| {
             let sampling = Sampling::Close;
@@ -240,19 +250,19 @@ impl<'a> BendingPlan<'a> {
     /// drag along it: translation and rotation where the surface is free, rotation alone where it is
     /// pinned, nothing where it is clamped. An axial force does not let it turn for ever.
     fn rigid(&self, response: usize, drag: &DragAtRest) -> f64 {
-        if let Wanted::Moments(_) = self.wanted {
+        if let Wanted::AtPlaces(PlaceQuantity::Moment, _) = self.wanted {
             // That bends nothing.
             return 0.0;
         }
         let (output, input) = self.pairs[response];
         let (length, distances) = (
             self.string.bending_length(),
-            self.request.sites.distances_from_bit(),
+            self.nodes().distances_from_bit(),
         );
         let depth = |site: usize| (length - distances[site]) / length;
         let places = [depth(output), depth(input)];
         let turns = self.bending.compression == 0.0 && self.string.axial_force().is_empty();
-        let springs = self.request.sites.springs().iter();
+        let springs = self.nodes().springs().iter();
         let held: Vec<usize> = springs
             .enumerate()
             .filter_map(|(site, spring)| (*spring > 0.0).then_some(site))
@@ -280,13 +290,13 @@ impl<'a> BendingPlan<'a> {
         )?;
         let (bending, support) = (self.bending, self.support);
         let answer = |zeta: Lanes, responses: &mut [Lanes]| match &self.wanted {
-            Wanted::Displacements => {
-                let receptance = chain.receptance(bending, support, zeta);
-                self.write_pairs(&receptance, responses);
-            }
-            Wanted::Moments(cut) => {
+            Wanted::AtPlaces(PlaceQuantity::Moment, cut) => {
                 let moments = chain.moments(bending, support, zeta, cut);
                 responses.copy_from_slice(&moments);
+            }
+            _ => {
+                let receptance = chain.receptance(bending, support, zeta);
+                self.write_pairs(&receptance, responses);
             }
         };
         let (taps, count) = (self.taps, self.buffers.channels);
@@ -294,7 +304,7 @@ impl<'a> BendingPlan<'a> {
     }
 }
 
-/// Two sites: output and input.
+/// Two nodes: output and input.
 type Pair = (usize, usize);
 
 /// Whether the responses of a method are the same in both directions.

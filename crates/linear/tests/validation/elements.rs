@@ -8,8 +8,8 @@ use linear::elements::reduction::{CondensedBeam, CondensedString};
 use linear::method::FiniteElement;
 use linear::{
     AxialForce, Bending, Budget, ChannelRequest, ChannelResponses, Drillstring, Hole, HoleSection,
-    Method, MomentPlan, Mud, Request, Responses, Section, Sites, SteppedString, SurfaceSupport,
-    TopDrive,
+    Method, Mud, PlacePlan, PlaceQuantity, Request, Responses, Section, Sites, SteppedString,
+    SurfaceSupport, TopDrive,
 };
 use problems::academic::{self, tube};
 use proptest::prelude::*;
@@ -276,8 +276,9 @@ fn difference_when_stepped(model: &Model) -> f64 {
     worst
 }
 
-/// The largest difference of moments by taps from those of elements that are stepped, over the largest.
-fn difference_in_moments(model: &Model, places: &[f64]) -> f64 {
+/// The largest difference of a quantity at places by taps from that of elements that are stepped, over the
+/// largest.
+fn difference_at_places(model: &Model, (quantity, places): (PlaceQuantity, &[f64])) -> f64 {
     let (bending, support) = (model.bending, model.support);
     let request = Request {
         sites: model.sites.clone(),
@@ -286,7 +287,7 @@ fn difference_in_moments(model: &Model, places: &[f64]) -> f64 {
         longest_time: (STEPS - 1) as f64 / model.sampling_frequency,
     };
     let method = Method::FiniteElement(model.parameters);
-    let plan = MomentPlan::new(&model.string, &method, &request, places).unwrap();
+    let plan = PlacePlan::new(&model.string, &method, &request, (quantity, places)).unwrap();
     let taps = plan.build(&Budget::unlimited()).unwrap();
     let whole = WholeString {
         string: &model.string,
@@ -303,7 +304,10 @@ fn difference_in_moments(model: &Model, places: &[f64]) -> f64 {
     for load in 0..count {
         let mut forces = [vec![vec![0.0; STEPS]; count], vec![vec![0.0; STEPS]; count]];
         forces[load % 2][load][0] = 1.0;
-        let stepped = whole.moments(&forces, places, 3).unwrap();
+        let stepped = match quantity {
+            PlaceQuantity::Displacement => whole.displacements(&forces, places, 3).unwrap(),
+            PlaceQuantity::Moment => whole.moments(&forces, places, 3).unwrap(),
+        };
         for (of_place, stepped) in taps.from_forces.iter().zip(&stepped) {
             let [driven, still] = [load % 2, 1 - load % 2].map(|axis| &stepped[axis]);
             assert_eq!(
@@ -355,7 +359,7 @@ proptest! {
     /// Moments found without a step, and those that keep elements in equilibrium which are stepped:
     /// at sites, and between them. (Of a string that moves as a rigid rod, rounding bends elements.)
     #[test]
-    fn val_moments_of_any_string_are_those_of_its_elements_stepped(
+    fn val_moments_and_displacements_of_any_string_are_those_of_its_elements_stepped(
         model in any_model(),
         parts in prop::collection::vec(0.01..0.99f64, 1..4),
     ) {
@@ -365,8 +369,10 @@ proptest! {
         places.extend_from_slice(at_sites);
         places.sort_by(|one, other| other.total_cmp(one));
         places.dedup_by(|one, other| (*one - *other).abs() < 0.3);
-        let worst = difference_in_moments(&model, &places);
-        prop_assert!(worst < 1e-7, "{worst}");
+        for quantity in [PlaceQuantity::Moment, PlaceQuantity::Displacement] {
+            let worst = difference_at_places(&model, (quantity, &places));
+            prop_assert!(worst < 1e-7, "{quantity:?} {worst}");
+        }
     }
 
     /// A top drive is stepped with the elements: what it is to them is what it is to their taps.

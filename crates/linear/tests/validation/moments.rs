@@ -1,11 +1,13 @@
-//! Bending moments by forces: closed forms of beams, and the curvature of displacements.
+//! Bending moments and displacements at places by forces: closed forms of beams, the curvature of
+//! displacements, and what a site at the place has.
 
 use std::f64::consts::PI;
 
 use linear::method::FiniteElement;
 use linear::{
     AxialForce, Bending, Budget, ChannelRequest, Drillstring, Hole, HoleSection, Material, Method,
-    MomentPlan, MomentResponses, Mud, RaisedCosine, Request, Section, Sites, SurfaceSupport, Tube,
+    Mud, PlacePlan, PlaceQuantity, PlaceResponses, RaisedCosine, Request, Section, Sites,
+    SurfaceSupport, Tube,
 };
 use problems::oracles::convolve;
 use problems::wells::Draw;
@@ -70,12 +72,16 @@ fn pinned(between: usize, sampling_frequency: f64, longest_time: f64) -> (Drills
     (string, request)
 }
 
-fn moments(
+fn moments(beam: &(Drillstring, Request), method: &Method, places: &[f64]) -> PlaceResponses {
+    at_places(beam, method, (PlaceQuantity::Moment, places))
+}
+
+fn at_places(
     (string, request): &(Drillstring, Request),
     method: &Method,
-    places: &[f64],
-) -> MomentResponses {
-    let plan = MomentPlan::new(string, method, request, places).unwrap();
+    wanted: (PlaceQuantity, &[f64]),
+) -> PlaceResponses {
+    let plan = PlacePlan::new(string, method, request, wanted).unwrap();
     plan.build(&Budget::unlimited()).unwrap()
 }
 
@@ -94,6 +100,73 @@ fn val_a_force_that_lasts_bends_a_pinned_beam_as_statics_have_it() {
             assert!(apart < 1e-5, "{method:?} {place}: {lasting} {expected}");
             let held: f64 = from_forces[1].iter().sum();
             assert!(held.abs() < 1e-5, "{method:?} {place}: {held}");
+        }
+    }
+}
+
+/// The same force bends it by F L³/48EI in its middle, and by 11/16 of that half-way to the ends.
+#[test]
+fn val_a_force_that_lasts_moves_places_of_a_pinned_beam_as_statics_have_it() {
+    let beam = pinned(1, 200.0, 30.0);
+    let middle = LENGTH.powi(3) / (48.0 * BENDING.youngs_modulus * COLLAR.second_moment());
+    for method in methods() {
+        let wanted = (PlaceQuantity::Displacement, &[5.0, 10.0, 15.0][..]);
+        let found = at_places(&beam, &method, wanted);
+        assert_eq!(found.places, [15.0, 10.0, 5.0]);
+        for (from_forces, part) in found
+            .from_forces
+            .iter()
+            .zip([11.0 / 16.0, 1.0, 11.0 / 16.0])
+        {
+            let lasting: f64 = from_forces[0].iter().sum();
+            let apart = (lasting / (part * middle) - 1.0).abs();
+            assert!(apart < 1e-5, "{method:?}: {lasting}");
+        }
+    }
+}
+
+/// A place moves as a site there would, whether springs hold the other sites or not.
+#[test]
+fn val_a_place_between_sites_moves_as_a_site_there() {
+    for number in 0..6 {
+        let (string, request, mut draw) = drawn(number);
+        let sites = request.sites.distances_from_bit();
+        let place = draw.uniform(sites[1] + 2.0, sites[0] - 2.0);
+        let springs: Vec<f64> = sites.iter().map(|_| draw.uniform(1e4, 1e6)).collect();
+        for springs in [Vec::new(), springs] {
+            let held = |sites: Sites, springs: Vec<f64>| match springs.is_empty() {
+                true => sites.without_springs(),
+                false => sites.held_by(springs).unwrap(),
+            };
+            let with_it = [&sites[..1], &[place], &sites[1..]].concat();
+            let mut springs_with_it = springs.clone();
+            if !springs.is_empty() {
+                springs_with_it.insert(1, 0.0);
+            }
+            let with_site = Request {
+                sites: held(Sites::new(&string, &with_it).unwrap(), springs_with_it),
+                ..request.clone()
+            };
+            let request = Request {
+                sites: held(request.sites.clone(), springs),
+                ..request.clone()
+            };
+            for method in methods() {
+                let beam = (string.clone(), request.clone());
+                let found = at_places(&beam, &method, (PlaceQuantity::Displacement, &[place]));
+                let expected = linear::responses(&string, &method, &with_site).unwrap();
+                let expected = &expected.bending().unwrap().from_loads[1];
+                for (load, found) in [0, 2, 3].into_iter().zip(&found.from_forces[0]) {
+                    let expected = &expected[load];
+                    let largest = expected
+                        .iter()
+                        .fold(0.0, |most: f64, it| most.max(it.abs()));
+                    for (found, expected) in found.iter().zip(expected) {
+                        let apart = (found - expected).abs() / largest;
+                        assert!(apart < 1e-9, "{number} {method:?} {load}: {apart:e}");
+                    }
+                }
+            }
         }
     }
 }
@@ -269,7 +342,7 @@ fn val_a_moment_between_sites_is_the_curvature_of_the_string_there() {
             let alone = moments(&beam, &method, &[place]);
             let with_others = moments(&beam, &method, &[place + 3.0, place, sites[1], 1.0]);
             let expected = by_curvature(&string, &method, &request, (place, rigidity));
-            let at = |it: &MomentResponses| it.places.iter().position(|at| *at == place).unwrap();
+            let at = |it: &PlaceResponses| it.places.iter().position(|at| *at == place).unwrap();
             let of_both = [
                 &alone.from_forces[at(&alone)],
                 &with_others.from_forces[at(&with_others)],
@@ -300,7 +373,13 @@ fn val_a_moment_between_sites_is_the_curvature_of_the_string_there() {
 fn val_invalid_places_and_strings_that_do_not_bend_are_refused() {
     let (string, request) = pinned(1, 200.0, 1.0);
     let refused = |request: &Request, places: &[f64]| {
-        MomentPlan::new(&string, &Method::Held, request, places).is_err()
+        PlacePlan::new(
+            &string,
+            &Method::Held,
+            request,
+            (PlaceQuantity::Moment, places),
+        )
+        .is_err()
     };
     assert!(!refused(&request, &[3.0]));
     for places in [&[][..], &[-1.0], &[20.5], &[3.0, 3.0]] {

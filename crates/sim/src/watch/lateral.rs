@@ -224,7 +224,8 @@ impl WallWatch {
     /// The same, which measures accelerations where the scene asks for these.
     pub(crate) fn of_shocks<W: WallLaw>(self, lateral: &Lateral<W>) -> Self {
         let radii = || lateral.walls.iter().map(WallLaw::radius).collect();
-        let of = |threshold| ShockWatch::new(threshold, radii(), self.sampling, self.closing_from);
+        let rate = self.sampling.frequency;
+        let of = |threshold| ShockWatch::new(threshold, radii(), rate, self.closing_from);
         Self {
             shocks: lateral.shocks.map(of),
             ..self
@@ -234,7 +235,7 @@ impl WallWatch {
     /// What all sites did in a step, and how fast they turned, rad/s.
     pub(crate) fn see(&mut self, contacts: &[Contact], speeds: impl Iterator<Item = f64>) {
         if let Some(shocks) = &mut self.shocks {
-            shocks.see(contacts, speeds);
+            shocks.see(contacts.iter().map(|contact| contact.position), speeds);
         }
         for (site, contact) in contacts.iter().enumerate() {
             self.see_site(self.step, site, contact);

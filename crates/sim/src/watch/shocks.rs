@@ -1,4 +1,5 @@
-//! What tools in the string feel: accelerations at the sites that have walls, and shocks.
+//! What tools in the string feel: accelerations at the sites that have walls or at other places, and
+//! shocks.
 //!
 //! An acceleration is the second difference of three steps: an impact that is shorter than these is
 //! spread over them, so that its peak grows with the sampling frequency until the wall's own
@@ -6,15 +7,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::laws::contact::Contact;
-use crate::sampling::Sampling;
-
-/// What a person would ask of the accelerations over the closing window, of the site where the
-/// greatest sideways is.
+/// What a person would ask of the accelerations over the closing window, of the site or place where
+/// the greatest sideways is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct ShockMeasures {
-    /// The site, from the surface down.
+    /// The site or place, from the surface down.
     pub site: usize,
     /// Greatest acceleration of the string's centre sideways, m/s².
     pub peak: f64,
@@ -25,6 +23,38 @@ pub struct ShockMeasures {
     /// How often the acceleration sideways rises beyond the threshold, 1/s.
     pub shocks_per_second: f64,
 }
+
+/// A place along a string, and how it moved in all steps of a closing window and the two before.
+#[derive(Debug, Clone)]
+pub struct ShakenPlace<'a> {
+    /// Radius of the string there, m.
+    pub radius: f64,
+    /// Position in each step along x and along y, m, from anywhere.
+    pub positions: &'a [Vec<f64>; 2],
+    /// How fast it turned in each step, rad/s.
+    pub speeds: Vec<f64>,
+}
+
+impl ShockMeasures {
+    /// Of places along a string, sampled at a frequency (Hz), with the acceleration sideways, m/s²,
+    /// beyond which a shock is counted; `None` where there are none, or no more steps than two.
+    pub fn of(places: &[ShakenPlace], threshold: f64, sampling_frequency: f64) -> Option<Self> {
+        let radii = places.iter().map(|place| place.radius).collect();
+        let mut watch = ShockWatch::new(threshold, radii, sampling_frequency, STEPS_BEFORE);
+        let steps = places.first()?.speeds.len();
+        for step in 0..steps {
+            let positions = places.iter().map(|place| {
+                let [x, y] = place.positions;
+                [x[step], y[step]]
+            });
+            watch.see(positions, places.iter().map(|place| place.speeds[step]));
+        }
+        watch.measures()
+    }
+}
+
+/// Steps before there is a difference of three.
+const STEPS_BEFORE: usize = 2;
 
 /// One site.
 #[derive(Debug, Clone, Copy, Default)]
@@ -43,7 +73,8 @@ struct Site {
 /// Watches the accelerations of all sites.
 #[derive(Debug, Clone)]
 pub(crate) struct ShockWatch {
-    sampling: Sampling,
+    /// Hz.
+    sampling_frequency: f64,
     /// m/s².
     threshold: f64,
     /// Radius of the string at each site, m.
@@ -57,11 +88,11 @@ impl ShockWatch {
     pub(crate) fn new(
         threshold: f64,
         radii: Vec<f64>,
-        sampling: Sampling,
+        sampling_frequency: f64,
         closing_from: usize,
     ) -> Self {
         Self {
-            sampling,
+            sampling_frequency,
             threshold,
             sites: vec![Site::default(); radii.len()],
             radii,
@@ -70,18 +101,21 @@ impl ShockWatch {
         }
     }
 
-    /// What all sites did in a step, and how fast they turned, rad/s.
-    pub(crate) fn see(&mut self, contacts: &[Contact], speeds: impl Iterator<Item = f64>) {
-        let rate = self.sampling.frequency;
-        // Two steps before there is a difference of three.
-        let counts = self.step >= self.closing_from.max(2);
+    /// Where all sites were in a step, m, and how fast they turned, rad/s.
+    pub(crate) fn see(
+        &mut self,
+        positions: impl Iterator<Item = [f64; 2]>,
+        speeds: impl Iterator<Item = f64>,
+    ) {
+        let rate = self.sampling_frequency;
+        let counts = self.step >= self.closing_from.max(STEPS_BEFORE);
         let sites = self.sites.iter_mut().zip(&self.radii);
-        for ((site, radius), (contact, speed)) in sites.zip(contacts.iter().zip(speeds)) {
+        for ((site, radius), (position, speed)) in sites.zip(positions.zip(speeds)) {
             if counts {
                 let [before, first] = site.positions;
                 let square: f64 = [0, 1]
                     .map(|axis| {
-                        let bend = contact.position[axis] - 2.0 * before[axis] + first[axis];
+                        let bend = position[axis] - 2.0 * before[axis] + first[axis];
                         (bend * rate * rate).powi(2)
                     })
                     .iter()
@@ -89,14 +123,16 @@ impl ShockWatch {
                 let tangential = radius * (speed - site.speed).abs() * rate;
                 site.see(square, tangential, self.threshold * self.threshold);
             }
-            site.positions = [contact.position, site.positions[0]];
+            site.positions = [position, site.positions[0]];
             site.speed = speed;
         }
         self.step += 1;
     }
 
     pub(crate) fn measures(&self) -> Option<ShockMeasures> {
-        let steps = self.step.saturating_sub(self.closing_from.max(2));
+        let steps = self
+            .step
+            .saturating_sub(self.closing_from.max(STEPS_BEFORE));
         if steps == 0 {
             return None;
         }
@@ -109,7 +145,7 @@ impl ShockWatch {
             peak: found.peak_square.sqrt(),
             rms: (found.sum_of_squares / steps as f64).sqrt(),
             tangential_peak: found.tangential_peak,
-            shocks_per_second: found.shocks as f64 * self.sampling.frequency / steps as f64,
+            shocks_per_second: found.shocks as f64 * self.sampling_frequency / steps as f64,
         })
     }
 }
@@ -133,8 +169,7 @@ mod tests {
     #[test]
     fn what_is_measured_is_what_was_made() {
         let (frequency, radius, rate) = (2000.0, 0.02, 30.0);
-        let sampling = Sampling::new(frequency, 0.0);
-        let mut watch = ShockWatch::new(25.0, vec![0.1; 2], sampling, 2000);
+        let mut watch = ShockWatch::new(25.0, vec![0.1; 2], frequency, 2000);
         let impact = |step: usize| match step % 500 {
             0 => 1e-5,
             _ => 0.0,
@@ -142,13 +177,9 @@ mod tests {
         for step in 0..6000 {
             let time = step as f64 / frequency;
             let (sin, cos) = (rate * time).sin_cos();
-            let at = |x: f64, y: f64| Contact {
-                position: [x, y],
-                ..Contact::NONE
-            };
             let wobble = 8.0 + 0.5 * (100.0 * time).sin();
-            let contacts = [at(radius * cos, radius * sin), at(impact(step), 0.0)];
-            watch.see(&contacts, [8.0, wobble].into_iter());
+            let positions = [[radius * cos, radius * sin], [impact(step), 0.0]];
+            watch.see(positions.into_iter(), [8.0, wobble].into_iter());
         }
         let found = watch.measures().unwrap();
         // 1e-5 m to one side and back within two steps; eight impacts in two seconds, three jerks each,

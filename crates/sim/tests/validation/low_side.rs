@@ -8,11 +8,11 @@ use linear::elements::reconstruction::WholeString;
 use linear::method::FiniteElement;
 use linear::steady::rotation;
 use linear::{
-    Bending, Budget, ChannelRequest, Drillstring, Hole, HoleSection, Material, Method, MomentPlan,
-    Mud, Request, Section, Sites, SurfaceSupport, Tube, responses,
+    Bending, Budget, ChannelRequest, Drillstring, Hole, HoleSection, Material, Method, Mud,
+    PlacePlan, PlaceQuantity, Request, Section, Sites, SurfaceSupport, Tube, responses,
 };
 use sim::{
-    BendingMoments, EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Lying,
+    AtPlaces, EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Lying,
     LyingMeasures, Scene, Simulator, Start, Stopping, Timing, Trajectory, Wall,
 };
 
@@ -508,8 +508,9 @@ fn moments_by(
     motion: &Trajectory,
 ) -> Vec<[Vec<f64>; 2]> {
     let (string, request) = (string(), request(springs, sampling_frequency, duration));
-    let plan = MomentPlan::new(&string, method, &request, &BENT_AT).unwrap();
-    let moments = BendingMoments::new(plan.build(&Budget::unlimited()).unwrap()).unwrap();
+    let plan =
+        PlacePlan::new(&string, method, &request, (PlaceQuantity::Moment, &BENT_AT)).unwrap();
+    let moments = AtPlaces::new(plan.build(&Budget::unlimited()).unwrap()).unwrap();
     let from = closing(motion, sampling_frequency);
     moments.of(&motion.forces, from).unwrap()
 }

@@ -35,8 +35,9 @@ pub struct Recipe<'a> {
     pub longest_time: f64,
     /// What is there of it already.
     pub basis: Basis<'a>,
-    /// Whether bending and stress are to be known where the setting asks for that.
-    pub measures_stress: bool,
+    /// Whether it is to be known how the string is bent, stressed and shaken along its length, where the
+    /// setting asks for that.
+    pub measures_along: bool,
 }
 
 /// What is there of a system before it is built.
@@ -56,7 +57,7 @@ impl<'a> Recipe<'a> {
     pub fn of(sweep: &'a Sweep, setting: &'a Setting, method: Method, longest_time: f64) -> Self {
         Self {
             sweep: Some(sweep),
-            measures_stress: true,
+            measures_along: true,
             ..Self::alone(setting, method, sweep.bit.is_some(), longest_time)
         }
     }
@@ -70,14 +71,14 @@ impl<'a> Recipe<'a> {
             cuts,
             longest_time,
             basis: Basis::Nothing,
-            measures_stress: false,
+            measures_along: false,
         }
     }
 
-    /// The same without bending and stress, which change no label.
+    /// The same without what is measured along the string, which changes no label.
     pub fn for_labels(self) -> Self {
         Self {
-            measures_stress: false,
+            measures_along: false,
             ..self
         }
     }
@@ -140,9 +141,10 @@ impl<'a> Recipe<'a> {
                 format!("the torque at the surface by {method} cannot be built")
             })?;
         }
-        if self.measures_stress {
-            (system.follow_stress())
-                .with_context(|| format!("the bending moments by {method} cannot be built"))?;
+        if self.measures_along {
+            system.follow_places().with_context(|| {
+                format!("what is measured along the string by {method} cannot be built")
+            })?;
         }
         // No impulse is so large: its site cannot reach the wall.
         let is_none = |(_, i0): &(usize, f64)| i0.is_nan() || *i0 > LARGEST_IMPULSE;
@@ -306,6 +308,7 @@ impl MethodSystem {
             simulator,
             surface_torque: None,
             moments: None,
+            displacements: None,
             finer: None,
             responses,
         })

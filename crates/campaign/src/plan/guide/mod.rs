@@ -55,6 +55,8 @@ distance_from_bit_m = 0
 distance_from_bit_m = 0
 mass_kg = 1
 offset_m = 0.1
+[[tools]]
+distance_from_bit_m = 10
 [method]
 hilbert = {}
 finite-element = {}
@@ -177,7 +179,7 @@ const fn cutting(heading: &'static str, path: &'static str) -> Chapter {
     }
 }
 
-const CHAPTERS: [Chapter; 30] = [
+const CHAPTERS: [Chapter; 31] = [
     chapter("The file itself", ""),
     chapter("`[string]`", "string"),
     chapter("`[string.bending]`", "string.bending"),
@@ -200,6 +202,7 @@ const CHAPTERS: [Chapter; 30] = [
     chapter("`[[sites]]`", "sites.0"),
     chapter("`[[impulses]]`", "impulses.0"),
     chapter("`[[eccentric_masses]]`", "eccentric_masses.0"),
+    chapter("`[[tools]]`", "tools.0"),
     chapter("`[method]`", "method"),
     chapter(
         "`[method.hilbert]` and `[method.direct-idft]`",

@@ -1,13 +1,13 @@
-//! Bending moments along a string from the forces at its sites, by any method.
+//! Bending moments and displacements along a string from the forces at its sites, by any method.
 //!
-//! A moment follows from forces as displacements do, M(k) = Σ A(k − n) F(n), so that it may be found
-//! after a simulation, of the forces that were recorded. A force that lasts bends a cantilever at its
+//! At places that bear no force these follow from the forces as at sites, M(k) = Σ A(k − n) F(n), so
+//! that they may be found after a simulation, of the forces that were recorded. A force that lasts bends a cantilever at its
 //! tip, whose moment grows straight towards the end that is held:
 //!
 //! ```
 //! use linear::{
-//!     Bending, Budget, ChannelRequest, Drillstring, Material, Method, MomentPlan, Request, Section,
-//!     Sites, SurfaceSupport, Tube,
+//!     Bending, Budget, ChannelRequest, Drillstring, Material, Method, PlacePlan, PlaceQuantity, Request,
+//!     Section, Sites, SurfaceSupport, Tube,
 //! };
 //!
 //! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
@@ -20,7 +20,8 @@
 //!     sampling_frequency: 200.0,
 //!     longest_time: 20.0,
 //! };
-//! let plan = MomentPlan::new(&string, &Method::Held, &request, &[15.0, 5.0])?;
+//! let places = (PlaceQuantity::Moment, &[15.0, 5.0][..]);
+//! let plan = PlacePlan::new(&string, &Method::Held, &request, places)?;
 //! let moments = plan.build(&Budget::unlimited())?;
 //! for (distance, taps) in moments.places.iter().zip(&moments.from_forces) {
 //!     let lasting: f64 = taps[0].iter().sum();
@@ -37,20 +38,29 @@ use crate::error::BuildError;
 use crate::method::Method;
 use crate::sites::{Sites, SitesAndPlaces};
 
-/// Bending moments by forces, the linear string's own: M = EI u″, positive where the string is bent
-/// towards positive displacements.
+/// What is found at places along a string.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlaceQuantity {
+    /// Displacements, m.
+    Displacement,
+    /// Bending moments, N m, the linear string's own: M = EI u″, positive where the string is bent
+    /// towards positive displacements.
+    Moment,
+}
+
+/// What forces at sites make of a quantity at places.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MomentResponses {
+pub struct PlaceResponses {
     /// Distances of the places from the bit, m, from the surface down.
     pub places: Vec<f64>,
-    /// `from_forces[place][site]`: taps of the moment at a place from a force at a site, N m/N. By
-    /// methods that hold loads over a step, means over a step.
+    /// `from_forces[place][site]`: taps of the quantity at a place from a force at a site, m/N or N m/N.
+    /// By methods that hold loads over a step, means over a step.
     pub from_forces: Vec<Vec<Vec<f64>>>,
 }
 
 /// The same before they are built.
 #[derive(Debug)]
-pub struct MomentPlan<'a> {
+pub struct PlacePlan<'a> {
     /// From the surface down.
     places: Vec<f64>,
     sites: usize,
@@ -59,7 +69,7 @@ pub struct MomentPlan<'a> {
     parts: Vec<BendingPlan<'a>>,
 }
 
-impl<'a> MomentPlan<'a> {
+impl<'a> PlacePlan<'a> {
     /// By one method, from forces at the sites of a request, whose bending it says, at places by
     /// their distances from the bit (m).
     ///
@@ -70,7 +80,7 @@ impl<'a> MomentPlan<'a> {
         string: &'a Drillstring,
         method: &'a Method,
         request: &'a Request,
-        places: &[f64],
+        (quantity, places): (PlaceQuantity, &[f64]),
     ) -> Result<Self, BuildError> {
         request.check(string)?;
         let bends = request.channels.iter().find_map(|channel| match channel {
@@ -79,13 +89,14 @@ impl<'a> MomentPlan<'a> {
         });
         let bends = bends.ok_or(BuildError::NoBending)?;
         let places = Sites::new(string, places)?.distances_from_bit().to_vec();
-        // Cut at all places, so that a moment does not depend on which others are found with it.
+        // Cut at all places, so that nothing depends on which others are found with it.
         let cut = request.sites.with_places(string, &places)?;
         let parts = cut.places.chunks(request.sites.len()).map(|places| {
-            let wanted = Wanted::Moments(SitesAndPlaces {
+            let cut = SitesAndPlaces {
                 places: places.to_vec(),
                 ..cut.clone()
-            });
+            };
+            let wanted = Wanted::AtPlaces(quantity, cut);
             BendingPlan::new(string, method, request, bends, wanted)
         });
         Ok(Self {
@@ -117,7 +128,7 @@ impl<'a> MomentPlan<'a> {
     ///
     /// # Errors
     /// As [`crate::ResponsePlan::build`].
-    pub fn build(&self, budget: &Budget) -> Result<MomentResponses, BuildError> {
+    pub fn build(&self, budget: &Budget) -> Result<PlaceResponses, BuildError> {
         let working = budget.begin(self.need(), What::Responses)?;
         let mut from_forces = Vec::with_capacity(self.places.len());
         for part in &self.parts {
@@ -127,7 +138,7 @@ impl<'a> MomentPlan<'a> {
             }
         }
         working.done();
-        Ok(MomentResponses {
+        Ok(PlaceResponses {
             places: self.places.clone(),
             from_forces,
         })

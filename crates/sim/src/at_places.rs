@@ -1,6 +1,7 @@
-//! Bending moments along a string after it was stepped, from the forces that acted on its sites.
+//! Bending moments and displacements along a string after it was stepped, from the forces that acted on
+//! its sites.
 //!
-//! M(k) = Σ A(k − n) F(n) over all forces so far, but only for the steps of the closing window, and all
+//! u(k) = Σ A(k − n) F(n) over all forces so far, but only for the steps of the closing window, and all
 //! forces are known: one product of spectra for each place and site. What a transform of N samples wraps
 //! round reaches none of the last N − n steps, n the number of taps.
 
@@ -8,7 +9,7 @@ use std::sync::Arc;
 
 use linear::budget::{Budget, COMPLEX, Need, OutOfBudget, REAL, What};
 use linear::fft::{self, ComplexToReal, RealToComplex};
-use linear::{Complex64, MomentResponses};
+use linear::{Complex64, PlaceResponses};
 
 use crate::error::SimulationError;
 
@@ -18,9 +19,9 @@ const FOUND_AT_ONCE: f64 = 0.2;
 /// Lengths of transforms are these times a power of two.
 const FACTORS: [usize; 3] = [8, 10, 12];
 
-/// Moments in bending, ready to be found for any motion of a string.
+/// A quantity in bending at some places, ready to be found for any motion of a string.
 #[derive(Clone)]
-pub struct BendingMoments {
+pub struct AtPlaces {
     /// Distances of the places from the bit, m, from the surface down.
     places: Vec<f64>,
     sites: usize,
@@ -31,9 +32,9 @@ pub struct BendingMoments {
     inverse: Arc<dyn ComplexToReal<f64>>,
 }
 
-impl std::fmt::Debug for BendingMoments {
+impl std::fmt::Debug for AtPlaces {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("BendingMoments")
+        f.debug_struct("AtPlaces")
             .field("places", &self.places)
             .field("sites", &self.sites)
             .field("taps", &self.taps)
@@ -48,8 +49,8 @@ fn samples(taps: usize) -> usize {
     FACTORS.iter().map(next).min().unwrap_or(least)
 }
 
-impl BendingMoments {
-    /// What it takes of a budget for moments at a number of places by forces at a number of sites, of
+impl AtPlaces {
+    /// What it takes of a budget for a number of places and forces at a number of sites, of
     /// responses of a number of taps.
     ///
     /// # Errors
@@ -63,7 +64,7 @@ impl BendingMoments {
         budget.pass(Need::lasting(bytes), What::Simulator)
     }
 
-    /// Bytes that finding moments takes of a motion of a number of steps, without the motion.
+    /// Bytes that finding it takes of a motion of a number of steps, without the motion.
     pub fn bytes_of_motion((places, sites): (usize, usize), taps: usize, steps: f64) -> f64 {
         let spectra = 2.0 * sites as f64 + 4.0;
         2.0 * REAL * places as f64 * steps + COMPLEX * spectra * frequencies(taps)
@@ -73,8 +74,8 @@ impl BendingMoments {
     ///
     /// # Errors
     /// Where these are no responses of every place from every site.
-    pub fn new(responses: MomentResponses) -> Result<Self, SimulationError> {
-        let MomentResponses {
+    pub fn new(responses: PlaceResponses) -> Result<Self, SimulationError> {
+        let PlaceResponses {
             places,
             from_forces,
         } = responses;
@@ -120,7 +121,7 @@ impl BendingMoments {
         &self.places
     }
 
-    /// Moments along x and along y at every place in all steps from one on, N m, by
+    /// The quantity along x and along y at every place in all steps from one on, by
     /// `forces[axis][site][step]`, N: of a string that lies, by what they differ by from those that hold
     /// it at rest.
     ///
@@ -138,21 +139,21 @@ impl BendingMoments {
         if steps > self.taps || !forces.iter().all(fits) {
             return Err(linear::ResponseError::Shape.into());
         }
-        let mut moments = vec![[(); 2].map(|()| Vec::with_capacity(steps)); self.places.len()];
+        let mut found = vec![[(); 2].map(|()| Vec::with_capacity(steps)); self.places.len()];
         let at_once = self.forward.len() - self.taps;
         for begin in (from..steps).step_by(at_once) {
             let end = steps.min(begin + at_once);
-            self.add(forces, begin..end, &mut moments);
+            self.add(forces, begin..end, &mut found);
         }
-        Ok(moments)
+        Ok(found)
     }
 
-    /// Adds the moments of some steps, which later forces do not change.
+    /// Adds what it is in some steps, which later forces do not change.
     fn add(
         &self,
         forces: &[Vec<Vec<f64>>; 2],
         steps: std::ops::Range<usize>,
-        moments: &mut [[Vec<f64>; 2]],
+        found: &mut [[Vec<f64>; 2]],
     ) {
         let stride = self.forward.len() / 2 + 1;
         let mut window = self.forward.make_input_vec();
@@ -166,7 +167,7 @@ impl BendingMoments {
                 inputs.extend_from_slice(&spectrum);
             }
             let of_places = self.spectra.chunks_exact(self.sites * stride);
-            for (moments, kernels) in moments.iter_mut().zip(of_places) {
+            for (found, kernels) in found.iter_mut().zip(of_places) {
                 spectrum.fill(Complex64::ZERO);
                 let pairs = kernels
                     .chunks_exact(stride)
@@ -179,7 +180,7 @@ impl BendingMoments {
                 self.inverse
                     .process(&mut spectrum, &mut window)
                     .expect("both ends of the products of real sequences' spectra are real");
-                moments[axis].extend_from_slice(&window[steps.clone()]);
+                found[axis].extend_from_slice(&window[steps.clone()]);
             }
         }
     }
@@ -215,7 +216,7 @@ mod tests {
                     .collect()
             })
             .collect();
-        let moments = BendingMoments::new(MomentResponses {
+        let moments = AtPlaces::new(PlaceResponses {
             places: vec![9.0, 5.0, 1.0],
             from_forces: from_forces.clone(),
         });
