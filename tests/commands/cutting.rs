@@ -174,6 +174,37 @@ fn a_recording_is_compared_with_and_a_recorded_speed_followed() {
 }
 
 /// The same numbers on standard input, in shards, as JSON.
+/// A tool at the bit feels what the bit does; one further up something else, and nothing moves otherwise.
+#[test]
+fn tools_feel_accelerations_along_the_axis() {
+    let felt = |tools: &[f64]| {
+        let tools = tools
+            .iter()
+            .map(|place| format!("[[tools]]\ndistance_from_bit_m = {place}\n"));
+        let place = Workplace::with_small(&before_design(&tools.collect::<String>()));
+        done(&place, &["run", "small.toml", "--out", "out"]);
+        let names = [
+            "axial_acceleration_peak_g",
+            "axial_acceleration_rms_g",
+            "weight_peak_kn",
+        ];
+        let numbers = |row: [String; 3]| row.map(|number| number.parse::<f64>().unwrap());
+        let rows = columns(&place, "out/labels.csv", names).into_iter();
+        rows.map(numbers).collect::<Vec<_>>()
+    };
+    let [bit, at_bit, above] = [&[][..], &[0.0], &[25.0]].map(felt);
+    for ((bit, at_bit), above) in bit.iter().zip(&at_bit).zip(&above) {
+        for (bit, tool) in bit.iter().zip(at_bit) {
+            assert!((bit - tool).abs() <= 1e-9 * bit.abs(), "{bit} {tool}");
+        }
+        assert!(
+            above[0] > 0.0 && (above[0] / bit[0] - 1.0).abs() > 1e-6,
+            "{above:?} {bit:?}"
+        );
+        assert_eq!(above[2], bit[2]);
+    }
+}
+
 #[test]
 fn cutting_runs_from_standard_input_and_in_shards() {
     let place = Workplace::with_small(CUTTING);

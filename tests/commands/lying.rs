@@ -396,7 +396,7 @@ fn what_does_not_go_with_a_string_that_lies_is_refused_by_its_key() {
                 .replace("clearance_mm = 2\n", "")
                 + "[[tools]]\ndistance_from_bit_m = 5\n",
             "tools",
-            "needs a table [wall]",
+            "needs a table [wall], or a bit with [bit.cutting]",
         ),
         (
             LYING.replace("\"ends\"", "\"ends\"\nstress_every_m = 0.01"),

@@ -30,7 +30,7 @@ enum After {
     Other,
 }
 
-const SNIPPETS: [Snippet; 24] = [
+const SNIPPETS: [Snippet; 25] = [
     snippet("docs/certain.md", "certify", After::Nothing),
     snippet("docs/ci.md", "fig09_reference.csv", After::Nothing),
     snippet(
@@ -64,6 +64,11 @@ const SNIPPETS: [Snippet; 24] = [
     snippet(
         "docs/low-side.md",
         "inclination_deg",
+        After::Base("well_12in_low_side.toml"),
+    ),
+    snippet(
+        "docs/low-side.md",
+        "[[tools]]",
         After::Base("well_12in_low_side.toml"),
     ),
     snippet(

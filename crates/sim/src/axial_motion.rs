@@ -71,6 +71,11 @@ impl<'a> AxialMotion<'a> {
         })
     }
 
+    /// The weight of a steady start, N; zero from rest.
+    pub(crate) fn weight_at_start(&self) -> f64 {
+        self.steady.map_or(0.0, |[_, weight]| weight)
+    }
+
     /// What a step does without weight on the bit.
     pub(crate) fn find_free_motion(&mut self, step: usize, time: f64) {
         let mut past = [0.0];
@@ -103,7 +108,7 @@ impl<'a> AxialMotion<'a> {
 
     /// Ends a step with what the bit did.
     pub(crate) fn end_step(&mut self, cut: &CutStep) {
-        let weight = self.steady.map_or(0.0, |[_, weight]| weight);
+        let weight = self.weight_at_start();
         self.past.add(&[weight - cut.weight + self.kick[1]]);
         let place = &mut self.place;
         place.angle += self.line.step * cut.speed;
@@ -118,7 +123,7 @@ impl<'a> AxialMotion<'a> {
 
 impl Kick {
     /// Torque and force on the bit at a time (s), N m and N.
-    fn at(&self, time: f64) -> [f64; 2] {
+    pub(crate) fn at(&self, time: f64) -> [f64; 2] {
         match time < self.duration {
             true => [self.torque, self.force],
             false => [0.0; 2],

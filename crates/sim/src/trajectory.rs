@@ -63,6 +63,9 @@ pub struct Trajectory {
     pub mud_motor_torque: Vec<f64>,
     /// What a bit that cuts does; empty without axial motion.
     pub cut: Vec<CutStep>,
+    /// Weight on a bit that cuts of the steady drilling that the case began with, N; zero where it began
+    /// at rest.
+    pub weight_at_start: f64,
     /// Torque with which the surface is turned, below a top drive that of its motor, N m; empty
     /// unless it is asked for ([`crate::SurfaceTorque`]).
     pub surface_torque: Vec<f64>,
@@ -122,6 +125,7 @@ impl Trajectory {
             bit_torque: held.iter().map(|held| scene.surface_speed * held).collect(),
             mud_motor_torque: Vec::new(),
             cut: Vec::new(),
+            weight_at_start: 0.0,
             surface_torque: Vec::new(),
             site_torques: vec![Vec::new(); followed],
             surface_speed: Vec::new(),
@@ -170,6 +174,7 @@ impl Trajectory {
         scene: &Scene<B, W>,
         stepper: &Stepper<B, W>,
     ) {
+        self.weight_at_start = stepper.weight_at_start();
         let steps = stepper.steps();
         self.times = (0..steps)
             .map(|step| system.sampling.time_of(step))

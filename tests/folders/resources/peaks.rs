@@ -127,9 +127,12 @@ fn no_bit_that_cuts_takes_more_memory_than_its_limit() {
         "sampling_frequency_hz = 200",
         "sampling_frequency_hz = 20000",
     );
+    let tools = "[[tools]]\ndistance_from_bit_m = 3\n[[tools]]\ndistance_from_bit_m = 5\n";
     for method in ["held", "quadrature", "finite-element"] {
         holds("run", &by(method, &long));
         holds("run", &by(method, &fast));
+        let tools = with(&long, "[design]\n", &format!("{tools}\n[design]\n"));
+        holds("run", &by(method, &tools));
     }
     holds("simulate", &long);
     holds("inspect", &fast);

@@ -292,6 +292,6 @@ fn lateral_scene(
         eccentric_masses: settings.eccentric_masses.clone(),
         lying: lying.transpose()?,
         // Those of tools are found of the motion.
-        shocks: settings.shocks.filter(|_| settings.tools.is_empty()),
+        shocks: settings.shocks.filter(|_| setting.tools.is_empty()),
     })
 }

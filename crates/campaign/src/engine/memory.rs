@@ -10,6 +10,7 @@ use super::dry_run::ask;
 use super::finding::most_sites;
 use super::finer::finer_frequency;
 use super::system_plan::SystemPlan;
+use super::tools;
 use super::whole_string::whole_string;
 use crate::plan::{Setting, Sweep};
 
@@ -91,8 +92,13 @@ fn dry_run(sweep: &Sweep, plan: &SystemPlan) -> Result<(Need, f64), BuildError> 
     }
     if let Some(lateral) = lateral {
         case += Along::ask(plan, (PlaceQuantity::Moment, &lateral.stressed), &budget)?;
-        case += Along::ask(plan, (PlaceQuantity::Displacement, &lateral.tools), &budget)?;
+        case += Along::ask(
+            plan,
+            (PlaceQuantity::Displacement, &plan.setting.tools),
+            &budget,
+        )?;
     }
+    case += tools::ask_along_axis(plan, &budget)?;
     if finds_surface_torque || stepping.follows_surface {
         case += SurfaceTorque::bytes_of_motion(stepping.taps, plan.steps());
     }

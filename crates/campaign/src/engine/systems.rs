@@ -7,11 +7,11 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_response, largest_undershoot, stick_slip_speed_limit};
 use linear::{ChannelResponses, Method, PlaceQuantity, Responses};
 use sim::{
-    Label, Measures, Motion, Outcome, Scene, SimulationError, Simulator, Stopping, SurfaceTorque,
-    TorsionRegime, Trajectory,
+    Label, Measures, Motion, Outcome, RatesAtPlaces, Scene, SimulationError, Simulator, Stopping,
+    SurfaceTorque, TorsionRegime, Trajectory,
 };
 
-use super::along::Along;
+use super::along::{Along, closing_from};
 use super::case::Case;
 use super::case_error::CaseError;
 use super::front::{Front, WrongFront};
@@ -58,8 +58,9 @@ pub struct MethodSystem {
     surface_torque: Option<SurfaceTorque>,
     /// What bends the string along its length, where that is to be known.
     moments: Option<Along>,
-    /// The same of what shakes its tools.
+    /// The same of what shakes its tools sideways, and along the axis.
     displacements: Option<Along>,
+    rates: Option<RatesAtPlaces>,
     /// The same by steps that are shorter, where labels are certified.
     finer: Option<Box<MethodSystem>>,
 }
@@ -213,15 +214,15 @@ impl MethodSystem {
     /// # Errors
     /// Where the method does not treat the string.
     pub fn follow_places(&mut self) -> Result<()> {
-        let Some(lateral) = &self.setting.lateral else {
-            return Ok(());
-        };
-        let [moments, displacements] = [
-            (PlaceQuantity::Moment, lateral.stressed.as_slice()),
-            (PlaceQuantity::Displacement, &lateral.tools),
-        ]
-        .map(|wanted| Along::build(&self.plan(), wanted));
-        (self.moments, self.displacements) = (moments?, displacements?);
+        if let Some(lateral) = &self.setting.lateral {
+            let [moments, displacements] = [
+                (PlaceQuantity::Moment, &lateral.stressed),
+                (PlaceQuantity::Displacement, &self.setting.tools),
+            ]
+            .map(|(quantity, places)| Along::build(&self.plan(), (quantity, places)));
+            (self.moments, self.displacements) = (moments?, displacements?);
+        }
+        self.rates = tools::build_along_axis(&self.plan())?;
         Ok(())
     }
 
@@ -233,10 +234,19 @@ impl MethodSystem {
         motion: &Trajectory,
         outcome: &mut Outcome,
     ) -> Result<(), CaseError> {
+        let plan = self.plan();
+        if let (Some(rates), Some(axial), Some(Measures::Axial(measures))) = (
+            &self.rates,
+            &case.scene.axial,
+            &mut outcome.measures[Motion::Axial],
+        ) {
+            let window = case.scene.timing.closing_window;
+            let from = closing_from(motion, window, self.setting.sampling_frequency);
+            measures.acceleration = rates.acceleration(axial, motion, from);
+        }
         let Some(lateral) = &self.setting.lateral else {
             return Ok(());
         };
-        let plan = self.plan();
         let of = (&plan, lateral);
         if let Some(moments) = &self.moments {
             outcome.stress = Some(stress::measures(moments, of, case, motion)?);
@@ -376,10 +386,8 @@ impl MethodSystem {
         }
         let shocks = (record.outcome.as_ref().ok()).and_then(Outcome::lateral);
         let shocks = shocks.and_then(|lateral| lateral.shocks);
-        let shaken = match &self.setting.lateral {
-            Some(lateral) if !lateral.tools.is_empty() => lateral.tools.as_slice(),
-            _ => walls,
-        };
+        let tools = self.setting.tools.as_slice();
+        let shaken = if tools.is_empty() { walls } else { tools };
         record.shock_from_bit_m = shocks.map(|shocks| shaken[shocks.site]);
         record
     }

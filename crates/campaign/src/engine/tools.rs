@@ -1,7 +1,9 @@
 //! What tools along the string feel: accelerations over the closing window at places that may be no sites,
 //! found after a case.
 
-use sim::{ShakenPlace, ShockMeasures, Trajectory};
+use anyhow::Result;
+use linear::{Budget, BuildError, ChannelRequest, Request, ResponsePlan, Sites};
+use sim::{RatesAtPlaces, ShakenPlace, ShockMeasures, Trajectory};
 
 use super::along::{Along, closing_from, tubes_at};
 use super::case::Case;
@@ -28,9 +30,9 @@ pub(super) fn measures(
     let setting = plan.setting;
     let (window, rate) = (case.scene.timing.closing_window, setting.sampling_frequency);
     let from = closing_from(motion, window, rate).saturating_sub(STEPS_BEFORE);
-    let positions = displacements.of(plan, &lateral.tools, motion, from)?;
+    let positions = displacements.of(plan, &setting.tools, motion, from)?;
     let sites = setting.sites.distances_from_bit();
-    let shaken = lateral.tools.iter().zip(&positions);
+    let shaken = setting.tools.iter().zip(&positions);
     let shaken: Vec<ShakenPlace> = shaken
         .map(|(&place, positions)| ShakenPlace {
             radius: tubes_at(setting, place)
@@ -42,6 +44,68 @@ pub(super) fn measures(
         })
         .collect();
     Ok(ShockMeasures::of(&shaken, threshold, rate))
+}
+
+/// What the rates of penetration at tools are built from, above a bit that cuts: their places and the bit,
+/// and the string along its axis.
+///
+/// # Errors
+/// Where a tool is not on the string.
+fn along_axis(plan: &SystemPlan) -> Result<Option<Request>, BuildError> {
+    let setting = plan.setting;
+    let Some(cutting) = setting
+        .cutting
+        .as_ref()
+        .filter(|_| !setting.tools.is_empty())
+    else {
+        return Ok(None);
+    };
+    let same_place = setting.string.same_place();
+    let mut places = setting.tools.clone();
+    if places.last().is_none_or(|lowest| *lowest > same_place) {
+        places.push(0.0);
+    }
+    let bit = places.len() - 1;
+    Ok(Some(Request {
+        sites: Sites::new(&setting.string, &places)?,
+        channels: vec![ChannelRequest::Axial {
+            rod: Box::new(cutting.rod.clone()),
+            forces: vec![bit],
+        }],
+        ..plan.request()
+    }))
+}
+
+/// Asks for what rates at tools take of a budget, where there are any, and returns the bytes of a case.
+///
+/// # Errors
+/// Where they cannot be built, or are more than is left.
+pub(super) fn ask_along_axis(plan: &SystemPlan, budget: &Budget) -> Result<f64, BuildError> {
+    let Some(request) = along_axis(plan)? else {
+        return Ok(0.0);
+    };
+    let responses = ResponsePlan::new(&plan.setting.string, plan.method, &request)?;
+    responses.ask(&budget.part())?;
+    RatesAtPlaces::ask(request.sites.len(), responses.axial_taps(), budget)?;
+    Ok(RatesAtPlaces::bytes_of_motion(plan.steps()))
+}
+
+/// Rates at the tools of a setting above a bit that cuts; `None` without either.
+///
+/// # Errors
+/// Where the method does not treat the string.
+pub(super) fn build_along_axis(plan: &SystemPlan) -> Result<Option<RatesAtPlaces>> {
+    let (Some(request), Some(cutting)) = (along_axis(plan)?, &plan.setting.cutting) else {
+        return Ok(None);
+    };
+    let responses = ResponsePlan::new(&plan.setting.string, plan.method, &request)?;
+    let responses = responses.build(&Budget::unlimited())?;
+    let tools = plan.setting.tools.len();
+    Ok(Some(RatesAtPlaces::new(
+        &responses,
+        tools,
+        &cutting.profile,
+    )?))
 }
 
 /// How fast the string turned at a place (m from the bit) in all steps from one on, rad/s: between two sites

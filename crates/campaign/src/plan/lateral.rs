@@ -13,7 +13,6 @@ use super::finding::{self, Finding};
 use super::impulses::{self, ImpulseSettings};
 use super::sites::Places;
 use super::stress;
-use super::tools;
 use super::wall::{self, WallSettings};
 use crate::design::Design;
 use crate::quantities::{Axis, StringAxis, WallQuantity};
@@ -43,9 +42,6 @@ pub struct LateralSettings {
     /// Where bending and stress are measured, m from the bit, from the surface down; nothing where they
     /// are not.
     pub stressed: Vec<f64>,
-    /// Where tools feel accelerations, m from the bit, from the surface down; nothing where these are
-    /// measured at the sites.
-    pub tools: Vec<f64>,
     /// Impulses.
     pub impulses: Vec<ImpulseSettings>,
     /// Eccentric masses.
@@ -117,7 +113,6 @@ pub fn resolve(
         finding: finding::resolve(source, content, in_hole, found)?,
         shocks: shocks(source, content)?,
         stressed: stress::places(source, content, &places.sites)?,
-        tools: tools::places(source, content, in_hole.string, &places.sites)?,
         impulses,
         eccentric_masses,
     }))
@@ -172,7 +167,6 @@ fn refuse_keys(
     for (key, is_given) in [
         ("impulses", !content.impulses.is_empty()),
         ("eccentric_masses", !content.eccentric_masses.is_empty()),
-        ("tools", !content.tools.is_empty()),
         ("design.axes.impulse_ratio", varies(Axis::ImpulseRatio)),
     ] {
         source.refuse_if(is_given, key, message)?;

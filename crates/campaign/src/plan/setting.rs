@@ -18,7 +18,7 @@ use super::lateral::{self, LateralSettings};
 use super::lying::{self, Lying};
 use super::motor;
 use super::string_friction::{self, StringFriction};
-use super::{axial_force, drive_limit, hole, sampling, sites, string, top_drive};
+use super::{axial_force, drive_limit, hole, sampling, sites, string, tools, top_drive};
 use crate::design::Design;
 use crate::quantities::Axis;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
@@ -81,6 +81,9 @@ pub struct Setting {
     pub cutting: Option<CuttingSettings>,
     /// What turns the bit against the end of the string, where that has a motor.
     pub motor: Option<MudMotor>,
+    /// Where tools feel accelerations, m from the bit, from the surface down; nothing where these are
+    /// measured at the sites, and at the bit.
+    pub tools: Vec<f64>,
     /// What axes or a command line change of the string in the file.
     pub changed: Vec<(Axis, f64)>,
 }
@@ -191,6 +194,7 @@ impl Setting {
             design,
         )?;
         let sites = places.sites;
+        let tools = tools::places(source, content, &string, &sites)?;
         let (string, hanging) = axial_force::resolve(
             source,
             content,
@@ -238,6 +242,7 @@ impl Setting {
             lateral,
             cutting,
             motor,
+            tools,
             changed: Vec::new(),
         };
         // For an accuracy another frequency is chosen.

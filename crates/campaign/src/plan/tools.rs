@@ -11,8 +11,8 @@ const MOST_TOOLS: usize = 40;
 /// The places of all tools, m from the bit, from the surface down.
 ///
 /// # Errors
-/// Where a tool is not on the string, two are at one place, there are too many, or one is where the string
-/// is taken to be at rest.
+/// Where nothing moves but the rotation, a tool is not on the string, two are at one place, there are too
+/// many, or one is where the string is taken to be at rest.
 pub fn places(
     source: &Source,
     content: &FileContent,
@@ -20,6 +20,9 @@ pub fn places(
     sites: &Sites,
 ) -> Result<Vec<f64>, SweepFileError> {
     let mut places: Vec<f64> = Vec::with_capacity(content.tools.len());
+    let moves = content.wall.is_some() || content.has_cutting();
+    let message = "needs a table [wall], or a bit with [bit.cutting]";
+    source.refuse_if(!moves && !content.tools.is_empty(), "tools", message)?;
     let are_many = content.tools.len() > MOST_TOOLS;
     source.refuse_if(
         are_many,

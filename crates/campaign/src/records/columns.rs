@@ -231,7 +231,7 @@ pub static COLUMNS: &[ResultColumn] = &[
     number(
         "axial_acceleration_peak_g",
         "g",
-        "Greatest acceleration of the bit along its axis in the closing window",
+        "Greatest acceleration along the axis in the closing window",
         |row| row.axial_acceleration().map(|it| to_g(it.peak)).into(),
     )
     .of(Motion::Axial)
@@ -241,7 +241,7 @@ pub static COLUMNS: &[ResultColumn] = &[
     number(
         "axial_acceleration_rms_g",
         "g",
-        "Acceleration of the bit along its axis, root mean square over the closing window",
+        "Acceleration along the axis, root mean square over the closing window",
         |row| row.axial_acceleration().map(|it| to_g(it.rms)).into(),
     )
     .of(Motion::Axial)
@@ -257,9 +257,12 @@ pub static COLUMNS: &[ResultColumn] = &[
     .of(Motion::Lateral)
     .group(Group::Lying)
     .measure(),
-    number("swing_deg", "deg", "Swing to either side of that", |row| {
-        row.lying().map(|it| it.swing_amplitude.to_degrees()).into()
-    })
+    number(
+        "swing_deg",
+        "deg",
+        "Swing to either side of the mean angle",
+        |row| row.lying().map(|it| it.swing_amplitude.to_degrees()).into(),
+    )
     .of(Motion::Lateral)
     .group(Group::Lying)
     .measure()

@@ -112,7 +112,8 @@ pub struct FileContent {
     /// Masses out of balance; need a wall.
     #[serde(default)]
     pub eccentric_masses: Vec<EccentricMassTable>,
-    /// Where accelerations are measured, instead of at the sites; need a wall.
+    /// Where accelerations are measured, instead of at the sites and at a bit that cuts; need a wall, or such
+    /// a bit.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tools: Vec<ToolTable>,
     /// The largest error wanted, instead of `methods`, `method` and `sampling_frequency_hz`:
@@ -187,7 +188,8 @@ impl FileContent {
     /// Whether accelerations are measured.
     pub fn measures_shocks(&self) -> bool {
         let by_wall = self.wall.is_some_and(|wall| wall.shock_g.is_some());
-        self.lies_on_low_side() || by_wall || !self.tools.is_empty()
+        let has_tools = self.wall.is_some() && !self.tools.is_empty();
+        self.lies_on_low_side() || by_wall || has_tools
     }
 
     /// Whether bending and stress of the moving string are measured.

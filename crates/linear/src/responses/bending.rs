@@ -6,7 +6,7 @@ use num_complex::Complex64;
 use super::channels::ChannelResponses;
 use super::drag_at_rest::DragAtRest;
 use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, transform_length};
-use super::places::PlaceQuantity;
+use super::place_quantity::PlaceQuantity;
 use super::request::Request;
 use crate::assembly::lanes::Lanes;
 use crate::assembly::matrix::ResponseMatrix;

@@ -31,22 +31,13 @@
 //! ```
 
 use super::bending::{BendingPlan, Wanted};
+use super::place_quantity::PlaceQuantity;
 use super::request::{ChannelRequest, Request};
 use crate::budget::{Budget, Need, OutOfBudget, What};
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
 use crate::method::Method;
 use crate::sites::{Sites, SitesAndPlaces};
-
-/// What is found at places along a string.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PlaceQuantity {
-    /// Displacements, m.
-    Displacement,
-    /// Bending moments, N m, the linear string's own: M = EI u″, positive where the string is bent
-    /// towards positive displacements.
-    Moment,
-}
 
 /// What forces at sites make of a quantity at places.
 #[derive(Debug, Clone, PartialEq)]

@@ -52,6 +52,11 @@ impl<B: TorqueLaw, W: WallLaw> Stepper<'_, B, W> {
         by_law.or(self.now.cut.map(|cut| -cut.torque))
     }
 
+    /// Weight on a bit that cuts of the steady drilling that the scene begins with, N; zero where there is none.
+    pub(crate) fn weight_at_start(&self) -> f64 {
+        (self.axial.as_ref()).map_or(0.0, |(axial, _)| axial.weight_at_start())
+    }
+
     /// What the walls did in the last step.
     pub(crate) fn contacts(&self) -> &[Contact] {
         &self.now.contacts

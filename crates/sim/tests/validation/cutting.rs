@@ -6,5 +6,6 @@ mod delay_lines;
 mod energy;
 mod growth;
 mod laws;
+mod places;
 mod ratios;
 mod scene;

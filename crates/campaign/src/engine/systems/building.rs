@@ -309,6 +309,7 @@ impl MethodSystem {
             surface_torque: None,
             moments: None,
             displacements: None,
+            rates: None,
             finer: None,
             responses,
         })
