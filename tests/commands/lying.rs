@@ -92,6 +92,44 @@ fn a_string_whose_sites_are_found_is_not_warned_of() {
     assert!(inspected.output.contains(words), "{}", inspected.output);
 }
 
+/// One that buckles between the sites that it has lies on the ends of its wide parts from the first.
+#[test]
+fn a_string_that_buckles_before_its_sites_are_found_has_some_to_lie_on() {
+    let found = |weight: f64| {
+        let on_bottom = format!(
+            "[bit]\nrock = \"sandstone\"\nweight_on_bit_kn = {weight}\n[axial_force]\n[well]"
+        );
+        let text = LYING
+            .replace("sites = \"ends\"", "sites = \"auto\"")
+            .replace("[well]", &on_bottom)
+            .replace("inclination_deg = 30", "inclination_deg = 60")
+            .replace("repeat = 6", "repeat = 10");
+        let place = Workplace::with_small(&text);
+        let run = place.answer(&["run", "small.toml", "--out", "out"]);
+        assert_eq!(run.code, 0, "{}", run.errors);
+        let table = csv::Reader::from_path(place.path("out/labels.csv"));
+        let mut table = table.unwrap();
+        let columns = ["found_sites_from_bit_m", "lateral"];
+        let names = table.headers().unwrap().clone();
+        let row = table.records().next().unwrap().unwrap();
+        columns.map(|column| {
+            let at = names.iter().position(|name| name == column);
+            row[at.unwrap()].to_owned()
+        })
+    };
+    let both_ends = ["12", "13", "22", "23", "32", "33"];
+    let has_all = |sites: &str| {
+        let sites: Vec<&str> = sites.split(';').collect();
+        both_ends.iter().all(|end| sites.contains(end))
+    };
+    let [light, heavy] = [10.0, 350.0].map(found);
+    assert!(
+        !has_all(&light[0]) && has_all(&heavy[0]),
+        "{light:?} {heavy:?}"
+    );
+    assert!(!light[1].is_empty() && !heavy[1].is_empty());
+}
+
 #[test]
 fn an_inspection_says_how_a_string_lies_in_its_hole() {
     let place = Workplace::with_small(LYING);

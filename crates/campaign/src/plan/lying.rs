@@ -11,7 +11,7 @@ use super::data::Data;
 use super::hole::survey_along;
 use super::lateral::LateralSettings;
 use super::wall::WallSettings;
-use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
+use crate::sweep_file::{FileContent, MethodName, SitesName, Source, SweepFileError};
 
 /// The part of its clearance by which a site that does not touch is kept from its wall, so that no
 /// rounding makes it touch.
@@ -260,6 +260,18 @@ fn met_by(state: &ContactState, wall: &Wall) -> ([f64; 2], f64) {
         _ if radius >= wall.clearance => (at((1.0 - KEPT_OFF) * wall.clearance), 0.0),
         _ => ([x, y], 0.0),
     }
+}
+
+/// Whether a string lies in its hole at sites that are yet to be found.
+pub fn finds_sites(content: &FileContent) -> bool {
+    let finds = content.wall.map(|wall| wall.sites) == Some(SitesName::Auto);
+    content.lies_on_low_side() && finds
+}
+
+/// Whether a string buckles between its sites, even if it is held at every one.
+pub fn buckles_between(string: &Drillstring, lateral: &LateralSettings, sites: &Sites) -> bool {
+    let spring = holding_spring(string, &lateral.bending, lateral.support, sites);
+    matches!(spring, Ok(None))
 }
 
 /// A string that lies in its hole, held above its sites where it is at rest, and they with springs

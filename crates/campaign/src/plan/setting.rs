@@ -195,6 +195,7 @@ impl Setting {
         )?;
         let sites = places.sites;
         let tools = tools::places(source, content, &string, &sites)?;
+        let ends = lying::finds_sites(content).then(|| sites::ends(content, &in_hole));
         let (string, hanging) = axial_force::resolve(
             source,
             content,
@@ -203,6 +204,16 @@ impl Setting {
             string,
             lateral.as_ref(),
         )?;
+        if let (Some(ends), Some(lateral)) = (ends, &lateral) {
+            // Where sites are to be found and it buckles between those that it has, it needs some to lie on.
+            let has_ends = ends.iter().all(|end| found.contains(end));
+            if !has_ends && lying::buckles_between(&string, lateral, &sites) {
+                let mut found = [found, &ends].concat();
+                found.sort_by(f64::total_cmp);
+                found.dedup();
+                return Self::resolve(source, content, circumstances, (&found, counted));
+            }
+        }
         let (string, lateral, sites) = lying::held(source, content, (string, lateral, sites))?;
         let lying = lying::resolve(source, content, (data, mud), &string, lateral.as_ref())?;
         let friction = string_friction::resolve(

@@ -130,12 +130,7 @@ fn candidates(
             CandidatePlaces::Ends(every.map_or_else(|| of_little_sag(content), Spans::Given))
         }
     };
-    let which = Candidates {
-        at,
-        to: wall.sites_to_m.unwrap_or(f64::INFINITY),
-    };
-    let found = in_hole.candidates(which).take(MOST_CANDIDATES + 1);
-    let found: Vec<f64> = found.map(|it| it.distance_from_bit).collect();
+    let found = candidates_at(at, content, in_hole);
     let within =
         (wall.sites_to_m).map_or_else(String::new, |to| format!(" up to {to} m from the bit"));
     let message = format!(
@@ -150,6 +145,25 @@ fn candidates(
     );
     source.refuse_if(found.len() > MOST_CANDIDATES, "wall.sites", message)?;
     Ok(found)
+}
+
+/// Where a string touches that lies in its hole, as `sites = "ends"` has it: m from the bit, in rising order.
+pub fn ends(content: &FileContent, in_hole: &StringInHole) -> Vec<f64> {
+    let at = CandidatePlaces::Ends(of_little_sag(content));
+    let mut ends = candidates_at(at, content, in_hole);
+    ends.sort_by(f64::total_cmp);
+    ends
+}
+
+/// Candidates as far up as the file says, one more than the most at most.
+fn candidates_at(at: CandidatePlaces, content: &FileContent, in_hole: &StringInHole) -> Vec<f64> {
+    let to = content.wall.and_then(|wall| wall.sites_to_m);
+    let which = Candidates {
+        at,
+        to: to.unwrap_or(f64::INFINITY),
+    };
+    let found = in_hole.candidates(which).take(MOST_CANDIDATES + 1);
+    found.map(|it| it.distance_from_bit).collect()
 }
 
 /// Spans that hardly sag through the wall of a file; of any length where the string does not bend.
