@@ -6,7 +6,7 @@ use crate::support::{Workplace, with};
 
 /// Every block of settings that is switched off, by its first line, and the pieces that it replaces
 /// or needs.
-const SWITCHED_OFF: [(&str, Change); 13] = [
+const SWITCHED_OFF: [(&str, Change); 14] = [
     ("units = \"field\"", Change::Nothing),
     ("surface_torque = true", Change::Nothing),
     (
@@ -26,6 +26,7 @@ const SWITCHED_OFF: [(&str, Change); 13] = [
     ("[wall]", Change::Nothing),
     ("[[impulses]]", Change::Needs("[wall]")),
     ("[[eccentric_masses]]", Change::Needs("[wall]")),
+    ("[[tools]]", Change::Needs("[wall]")),
 ];
 
 enum Change {
