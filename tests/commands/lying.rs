@@ -293,6 +293,23 @@ fn a_run_says_how_a_string_lies_and_swings() {
     assert!(!table.contains("climb_deg") && table.contains("no_contact"));
 }
 
+/// In a vertical hole nothing presses it on its wall: it touches none, and does not climb.
+#[test]
+fn a_string_in_a_vertical_hole_lies_on_nothing() {
+    let text = LYING.replace("inclination_deg = 30", "inclination_deg = 0") + DESIGN;
+    let place = Workplace::with_small(&text);
+    let run = place.sweep(&["run", "small.toml", "--out", "out"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let mut table = csv::Reader::from_path(place.path("out/labels.csv")).unwrap();
+    let names = table.headers().unwrap().clone();
+    let at = |name: &str| names.iter().position(|it| it == name).unwrap();
+    for row in table.records().map(Result::unwrap) {
+        assert_eq!(&row[at("lateral")], "no_contact");
+        assert_eq!([&row[at("climb_deg")], &row[at("swing_deg")]], ["", ""]);
+        assert_eq!(&row[at("peak_radius_mm")], "0");
+    }
+}
+
 /// The rows of `labels.csv` of a run, as numbers by the names of columns.
 pub fn rows_of(place: &Workplace) -> Vec<impl Fn(&str) -> f64 + use<>> {
     let run = place.sweep(&["run", "small.toml", "--out", "out"]);

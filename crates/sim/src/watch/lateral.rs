@@ -291,7 +291,9 @@ impl WallWatch {
         let steps = steps as f64;
         let rate = |sums: &SiteSums| sums.turning.angle() * self.sampling.frequency / steps;
         let contact_fraction = |sums: &SiteSums| sums.contact as f64 / steps;
-        let (site, regime, lying) = match &self.swings {
+        // What presses on nothing lies on nothing, as in a vertical well.
+        let lies = self.first_contact.is_some();
+        let (site, regime, lying) = match self.swings.as_ref().filter(|_| lies) {
             None => {
                 let (site, regime) = self.hanging(closing, steps);
                 (site, regime, None)
