@@ -173,7 +173,6 @@ fn a_recording_is_compared_with_and_a_recorded_speed_followed() {
     assert!((mean(9.5, 10.5) - 90.0).abs() < 6.0, "{}", mean(9.5, 10.5));
 }
 
-/// The same numbers on standard input, in shards, as JSON.
 /// A tool at the bit feels what the bit does; one further up something else, and nothing moves otherwise.
 #[test]
 fn tools_feel_accelerations_along_the_axis() {
@@ -205,6 +204,7 @@ fn tools_feel_accelerations_along_the_axis() {
     }
 }
 
+/// The same numbers on standard input, in shards, as JSON.
 #[test]
 fn cutting_runs_from_standard_input_and_in_shards() {
     let place = Workplace::with_small(CUTTING);

@@ -1,14 +1,17 @@
-//! Bending moments of elements in a row under forces at their sites: what keeps the element above a
-//! place in equilibrium, K u + M ü with the part of the stiffness that fades, and not the curvature of
-//! its shape functions, which is off by a square of its length.
+//! Displacements and bending moments of elements in a row under forces at their sites.
+//!
+//! A moment is what keeps the element above a place in equilibrium, K u + M ü with the part of the
+//! stiffness that fades, and not the curvature of its shape functions, which is off by a square of its
+//! length.
 
 use super::beam::{mass_matrix, stiffness_matrix};
 use super::fading::Faded;
+use super::mesh::Mesh;
 use super::reconstruction::WholeString;
-use super::stepped::NodeState;
+use super::stepped::{NodeState, SteppedChannel};
 use crate::budget::{Need, REAL};
 use crate::error::BuildError;
-use crate::sites::Sites;
+use crate::sites::{Sites, SitesAndPlaces};
 
 /// The couple at the lower end of an element by the motion of both ends, N m.
 struct LowerCouple {
@@ -48,6 +51,17 @@ impl WholeString<'_> {
         }
     }
 
+    /// Its elements with nodes at places, too (m from the bit).
+    fn cut_at(
+        &self,
+        places: &[f64],
+    ) -> Result<(SitesAndPlaces, SteppedChannel<2, 2>, Mesh), BuildError> {
+        let places = Sites::new(self.string, places)?;
+        let cut = (self.sites).with_places(self.string, places.distances_from_bit())?;
+        let (beam, mesh) = self.mesh(&cut.nodes)?;
+        Ok((cut, beam, mesh))
+    }
+
     /// Steps the whole string through recorded forces as [`WholeString::reconstruct`] does, and finds
     /// the bending moments along x and along y, N m, at places (m from the bit, from the surface down)
     /// in all steps from one on.
@@ -60,9 +74,7 @@ impl WholeString<'_> {
         places: &[f64],
         from: usize,
     ) -> Result<Vec<[Vec<f64>; 2]>, BuildError> {
-        let places = Sites::new(self.string, places)?;
-        let cut = (self.sites).with_places(self.string, places.distances_from_bit())?;
-        let (beam, mesh) = self.mesh(&cut.nodes)?;
+        let (cut, beam, mesh) = self.cut_at(places)?;
         let nodes: Vec<usize> = (cut.places.iter())
             .map(|&place| mesh.site_nodes[place])
             .collect();
@@ -113,9 +125,7 @@ impl WholeString<'_> {
         places: &[f64],
         from: usize,
     ) -> Result<Vec<[Vec<f64>; 2]>, BuildError> {
-        let places = Sites::new(self.string, places)?;
-        let cut = (self.sites).with_places(self.string, places.distances_from_bit())?;
-        let (beam, mesh) = self.mesh(&cut.nodes)?;
+        let (cut, beam, mesh) = self.cut_at(places)?;
         let mut displacements = vec![[Vec::new(), Vec::new()]; cut.places.len()];
         self.step_through((&beam, &cut.sites), forces, |step, motion| {
             if step < from {

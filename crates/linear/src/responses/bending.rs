@@ -210,7 +210,9 @@ impl<'a> BendingPlan<'a> {
             Wanted::AtPlaces(PlaceQuantity::Moment, cut) => {
                 responses.copy_from_slice(&network.moments(s, cut));
             }
-            _ => self.write_pairs(&network.receptance(s), responses),
+            Wanted::Displacements | Wanted::AtPlaces(PlaceQuantity::Displacement, _) => {
+                self.write_pairs(&network.receptance(s), responses);
+            }
         };
         let by_formula = |formula: Formula| {
             let sampling = Sampling::Close;
@@ -294,7 +296,7 @@ impl<'a> BendingPlan<'a> {
                 let moments = chain.moments(bending, support, zeta, cut);
                 responses.copy_from_slice(&moments);
             }
-            _ => {
+            Wanted::Displacements | Wanted::AtPlaces(PlaceQuantity::Displacement, _) => {
                 let receptance = chain.receptance(bending, support, zeta);
                 self.write_pairs(&receptance, responses);
             }

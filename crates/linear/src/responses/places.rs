@@ -1,8 +1,8 @@
 //! Bending moments and displacements along a string from the forces at its sites, by any method.
 //!
 //! At places that bear no force these follow from the forces as at sites, M(k) = Σ A(k − n) F(n), so
-//! that they may be found after a simulation, of the forces that were recorded. A force that lasts bends a cantilever at its
-//! tip, whose moment grows straight towards the end that is held:
+//! that they may be found after a simulation, of the forces that were recorded. A force that lasts
+//! bends a cantilever at its tip, whose moment grows straight towards the end that is held:
 //!
 //! ```
 //! use linear::{
