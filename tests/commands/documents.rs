@@ -201,7 +201,7 @@ fn a_check_has_every_label_and_the_code_of_those_that_differ() {
     let distance = label["distance"]["times_speed_limit"].as_f64().unwrap();
     let line = format!(
         "case {} by quadrature: surface_speed_rpm = {speed}, weight_on_bit_kn = {}: expected \
-         stick_slip, found smooth, at {distance:.3} times the speed limit of Eq. 74\n",
+         stick_slip, found smooth, at {distance:.3} times the speed of Eq. 74\n",
         label["case"],
         weight.as_f64().unwrap()
     );

@@ -12,6 +12,7 @@ mod export;
 mod lying;
 mod lying_shape;
 mod motor;
+mod one_slip;
 mod sensitivity;
 mod trace;
 mod window;

@@ -136,6 +136,41 @@ fn a_page_of_a_bit_that_cuts_has_its_own_sliders_and_no_limit() {
     assert!(!controls.contains(&"torque_static_ratio"), "{controls:?}");
 }
 
+/// A case sticks and slips above the line of Eq. 74, which asks what one slip does: its page says what
+/// it is, and from the line alone no smooth rotation, in words or shades.
+#[test]
+#[ignore = "needs Node"]
+fn a_case_that_sticks_above_eq_74_is_nowhere_called_smooth() {
+    let place = Workplace::new();
+    assert_eq!(place.sweep(&["new", "sweep.toml"]).code, 0);
+    let page_of = |case: &str| -> Value {
+        let done = place.sweep(&["explore", "sweep.toml", "--case", case]);
+        assert_eq!(done.code, 0, "{}", done.errors);
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/page/shown.mjs");
+        let shown = Command::new("node")
+            .arg(script)
+            .arg(place.path("explore.html"))
+            .output()
+            .expect("Node");
+        let errors = String::from_utf8_lossy(&shown.stderr);
+        assert!(shown.status.success(), "{errors}");
+        serde_json::from_slice(&shown.stdout).unwrap()
+    };
+    // 5 rpm at 20 kN, where the line is at 4 rpm; and 5 rpm at 120 kN, below it.
+    for (case, side) in [("1", "above"), ("11", "below")] {
+        let page = page_of(case);
+        let text = |key: &str| page[key].as_str().unwrap();
+        assert_eq!(text("regime"), "stick slip", "{page}");
+        let expected = format!(" rpm {side} the one-slip estimate (Eq. 74), ");
+        assert!(text("side").contains(&expected), "{page}");
+        for words in ["side", "map"] {
+            assert!(!text(words).contains("smooth"), "{page}");
+            assert!(!text(words).contains("limit"), "{page}");
+        }
+        assert_eq!((&page["areas"], &page["lines"]), (&0.into(), &1.into()));
+    }
+}
+
 /// Between walls the lines of the map come with the page.
 #[test]
 fn the_limit_of_whirl_is_that_of_the_sweeps_map() {

@@ -5,6 +5,8 @@ mod regression;
 
 use problems::academic;
 use problems::oracles::assert_close;
+use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
 use std::process::Command;
 
 use linear::estimates::{
@@ -18,6 +20,8 @@ use sim::{
     BitTorque, Rock, Scene, Simulator, Stopping, Timing, TorsionMeasures, TorsionRegime,
     Trajectory, torsion_timing,
 };
+
+use crate::support::Workplace;
 
 const RPM: f64 = std::f64::consts::TAU / 60.0;
 const QUADRATURE: Method = Method::Quadrature;
@@ -177,6 +181,55 @@ fn val_the_simulated_limit_lies_just_above_equation_74() {
         let margin = found / limit_by_equation_74(&method);
         assert!((1.0..1.06).contains(&margin), "{}: {margin}", method.name());
     }
+}
+
+/// Eq. 74 asks what one slip from even rotation does. A bit that was held leaves a tube without loss
+/// wound up: it speeds up by 2Ω until the front of its slip comes back after 2τ, is then at 2Ω less
+/// (T_s − T_d)/Z, and slows down by 2Ω until 4τ, so it stops at 4τ − τ (T_s − T_d)/(Z Ω) at any speed,
+/// here at three times that of Eq. 74.
+#[test]
+fn val_a_bit_that_was_held_stops_again_far_above_equation_74() {
+    let place = Workplace::new();
+    let (inner, outer, length, shear, density) = (0.054, 0.0635, 1000.0, 80e9, 7840.0);
+    let polar = FRAC_PI_2 * (f64::powi(outer, 4) - f64::powi(inner, 4));
+    let speed_of_wave = f64::sqrt(shear / density);
+    let (impedance, travel) = (density * polar * speed_of_wave, length / speed_of_wave);
+    let drop = 200.0 / impedance;
+    let speed = 3.0 * drop;
+    place.write(
+        "tube.toml",
+        format!(
+            "surface_speed_rpm = {}\ntime_s = 5\nmethods = [\"held\"]\n[string]\n\
+             shear_modulus_gpa = 80\ndensity_kg_m3 = {density}\ntorsional_damping_nms_rad_m = 0.001\n\
+             [[string.sections]]\nrepeat = 1\nparts = [{{ length_m = {length}, inner_radius_m = {inner}, \
+             outer_radius_m = {outer} }}]\n[bit]\ntorque_dynamic_nm = 1000\ntorque_static_ratio = 1.2\n\
+             [design]\nkind = \"grid\"\n[design.axes]\ntorque_dynamic_nm = {{ values = [1000] }}\n",
+            speed / RPM
+        ),
+    );
+    let answer = place.sweep(&["simulate", "tube.toml", "--out", "one"]);
+    assert_eq!(answer.code, 0, "{}", answer.errors);
+    let table = std::fs::read_to_string(place.path("one/case.csv")).unwrap();
+    let mut lines = table.lines().map(|line| line.split(','));
+    let (header, mut row) = (
+        lines.next().unwrap(),
+        lines.next().unwrap().collect::<Vec<_>>(),
+    );
+    let row: BTreeMap<&str, &str> = header.zip(row.drain(..)).collect();
+    let number = |name: &str| row[name].parse::<f64>().unwrap();
+    // The line is at a third of the speed.
+    assert_close(number("stick_slip_margin_rpm") * RPM, 2.0 * drop, 0.005);
+    assert!(number("sticks") >= 1.0);
+    assert_close(
+        number("bit_speed_peak_rpm") * RPM,
+        drop + 2.0 * speed,
+        0.005,
+    );
+    assert_close(
+        number("slip_time_s"),
+        4.0 * travel - travel * drop / speed,
+        0.005,
+    );
 }
 
 /// The torsion problem is homogeneous: Ω and T_d scaled together scale the

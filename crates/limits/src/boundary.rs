@@ -1,4 +1,4 @@
-//! `boundary.csv`: the analytic limit of a map. For stick-slip that is Eq. 74 for
+//! `boundary.csv`: the analytic lines of a map. For stick-slip that is the one-slip estimate, Eq. 74, for
 //! every method, along the torque axis of the design; for whirl the friction that
 //! sustains it steadily at each site.
 

@@ -130,7 +130,7 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
         .map(|points| Curve {
             name: match points[0].limit {
                 TorsionLimit::StickSlip => {
-                    format!("stick-slip limit (Eq. 74), {}", points[0].method)
+                    format!("one-slip estimate (Eq. 74), {}", points[0].method)
                 }
                 TorsionLimit::SmoothRotation => SMOOTH_ROTATION.to_owned(),
                 TorsionLimit::SteadyDrilling => STEADY_DRILLING.to_owned(),

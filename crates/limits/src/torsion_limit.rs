@@ -10,7 +10,8 @@ pub(crate) const WAVES: &str = "waves";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum TorsionLimit {
-    /// Below it stick-slip can sustain itself (Eq. 74).
+    /// One-slip estimate of stick-slip (Eq. 74): below it a bit that turns evenly sticks again after one
+    /// drop of torque. No limit of stick-slip, which may last above it and die away below.
     #[default]
     StickSlip,
     /// Below it smooth rotation does not last, as the torque on the bit falls too steeply with its

@@ -363,7 +363,8 @@ pub fn stick_slip_times(
     }
 }
 
-/// Surface speed below which stick-slip can sustain itself (Eq. 74), rad/s.
+/// Surface speed below which a bit that turns evenly sticks again when its torque drops once from
+/// static to dynamic (Eq. 74), rad/s: an estimate of where stick-slip is.
 pub fn stick_slip_speed_limit(undershoot: f64, torque_static: f64, torque_dynamic: f64) -> f64 {
     (torque_static - torque_dynamic) * undershoot
 }

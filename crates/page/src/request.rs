@@ -15,7 +15,7 @@ pub enum Request {
     Open(Box<Opening>),
     /// Simulates a case by a method.
     Simulate(CaseAsked),
-    /// Tells the limit of stick-slip (Eq. 74) along an axis.
+    /// Tells the one-slip estimate of stick-slip (Eq. 74) along an axis.
     Limit(LimitAsked),
 }
 

@@ -72,10 +72,10 @@ def test_val_limits_of_a_map_are_those_of_boundary_csv(command, table, tmp_path)
     rows = read(tmp_path / "boundary.csv")
     lines = {line.get_label(): line for line in table.plot().lines}
     assert set(lines) == {
-        f"stick-slip limit (Eq. 74), {method}" for method in table.about.methods
+        f"one-slip estimate (Eq. 74), {method}" for method in table.about.methods
     }
     for method in table.about.methods:
-        x, y = lines[f"stick-slip limit (Eq. 74), {method}"].get_data()
+        x, y = lines[f"one-slip estimate (Eq. 74), {method}"].get_data()
         of_method = [row for row in rows if row["method"] == method]
         assert list(x[:-1]) == [float(row["weight_on_bit_kn"]) for row in of_method]
         assert list(y[:-1]) == [float(row["surface_speed_rpm"]) for row in of_method]

@@ -121,10 +121,7 @@ fn a_label_that_differs_is_measured_by_the_limit_of_its_motion() {
         .partition(|line| line.contains("expected stuck"));
     assert!(torsion.len() == 2 && lateral.len() == 2, "{lines}");
     for line in torsion {
-        assert!(
-            line.ends_with(" times the speed limit of Eq. 74"),
-            "{lines}"
-        );
+        assert!(line.ends_with(" times the speed of Eq. 74"), "{lines}");
     }
     for line in lateral {
         assert!(!line.contains("Eq. 74"), "{lines}");

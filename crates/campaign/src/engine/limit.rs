@@ -1,4 +1,4 @@
-//! The analytic limit of stick-slip (Eq. 74) along the torque or the weight on bit.
+//! The one-slip estimate of stick-slip (Eq. 74) along the torque or the weight on bit.
 
 use linear::estimates::stick_slip_speed_limit;
 
@@ -16,7 +16,7 @@ pub struct LimitPoint {
     pub weight_on_bit_kn: Option<f64>,
     /// T_d, N m.
     pub torque_dynamic_nm: f64,
-    /// Surface speed below which stick-slip can sustain itself, rpm.
+    /// Surface speed below which a bit that slips once from even rotation sticks again, rpm.
     pub surface_speed_rpm: f64,
 }
 

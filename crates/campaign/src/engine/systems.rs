@@ -269,7 +269,7 @@ impl MethodSystem {
         }
     }
 
-    /// How far above the analytic limit of stick-slip (Eq. 74) the surface turns, rad/s: that
+    /// How far above the one-slip estimate of stick-slip (Eq. 74) the surface turns, rad/s: that
     /// knows of no friction but the bit's, and of no motor.
     fn above_limit(&self, scene: &Scene) -> Option<f64> {
         let knows = self.setting.friction.is_none() && self.setting.has_stick_slip_limit();

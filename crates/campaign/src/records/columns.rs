@@ -68,9 +68,9 @@ pub static COLUMNS: &[ResultColumn] = &[
     .measure()
     .severity(),
     number(
-        "stick_slip_margin_rpm",
+        STICK_SLIP_MARGIN,
         "rpm",
-        "Speed above the limit of stick-slip",
+        "Speed above the one-slip estimate (Eq. 74)",
         |row| row.record.above_limit.map(to_rpm).into(),
     )
     .of(Motion::Torsion)
@@ -449,7 +449,7 @@ pub static COLUMNS: &[ResultColumn] = &[
     number(
         "finer_stick_slip_margin_rpm",
         "rpm",
-        "Speed above the limit of stick-slip by shorter steps",
+        "Speed above the one-slip estimate (Eq. 74) by shorter steps",
         |row| match row.finer(Motion::Torsion) {
             Some(MotionVerdict::Torsion { above_limit, .. }) => above_limit.map(to_rpm).into(),
             _ => Field::Nothing,
@@ -526,6 +526,8 @@ pub static COLUMNS: &[ResultColumn] = &[
     .group(Group::Found),
 ];
 
+/// The column of the speed above the one-slip estimate of stick-slip (Eq. 74).
+pub const STICK_SLIP_MARGIN: &str = "stick_slip_margin_rpm";
 /// The column of the sites that were found.
 pub const FOUND_SITES: &str = "found_sites_from_bit_m";
 /// That of how often a case was run again for them.

@@ -58,7 +58,7 @@ pub struct Record {
     /// T_d, N m, where the bit is modelled.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_dynamic_nm: Option<f64>,
-    /// How far above the analytic limit of stick-slip (Eq. 74) the surface turns, rad/s, below
+    /// How far above the one-slip estimate of stick-slip (Eq. 74) the surface turns, rad/s, below
     /// where negative; none where there is none, or where the bit is not all that rubs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub above_limit: Option<f64>,

@@ -22,7 +22,7 @@ pub enum MotionVerdict {
     Torsion {
         /// The label.
         regime: TorsionRegime,
-        /// How far above the analytic limit of stick-slip (Eq. 74) the surface turns, rad/s.
+        /// How far above the one-slip estimate of stick-slip (Eq. 74) the surface turns, rad/s.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         above_limit: Option<f64>,
     },
@@ -45,7 +45,7 @@ pub enum MotionVerdict {
     },
 }
 
-/// That of an outcome, `above_limit` (rad/s) the analytic limit of stick-slip.
+/// That of an outcome, `above_limit` (rad/s) the speed above the one-slip estimate of stick-slip (Eq. 74).
 pub fn verdict(outcome: &Outcome, above_limit: Option<f64>) -> Verdict {
     Verdict::from_fn(|motion| {
         let of = outcome.measures[motion].as_ref()?;

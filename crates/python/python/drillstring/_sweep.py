@@ -165,7 +165,8 @@ class Sweep:
     def limits(self, *, memory: str | None = None) -> dict[str, NDArray[Any]]:
         """The analytic limits: the columns of ``boundary.csv``, as ``sweep run`` writes it.
 
-        Of stick-slip Eq. 74 for every method; of whirl the friction that sustains it steadily.
+        Of stick-slip the one-slip estimate (Eq. 74) for every method, which is no limit; of whirl
+        the friction that sustains it steadily.
         """
         return self._sweep._limits(memory=memory)
 

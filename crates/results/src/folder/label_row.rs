@@ -23,6 +23,8 @@ pub struct LabelRow {
     pub misfits: Vec<Option<f64>>,
     /// Each of the measures asked for, where it has it.
     pub measures: Vec<Option<f64>>,
+    /// Speed above the one-slip estimate of stick-slip (Eq. 74), rpm, where the table has it.
+    pub stick_slip_margin: Option<f64>,
     /// Which of the labels are certain, where the table has it.
     pub certainty: Certainty,
     /// How many sites were found and in how many rounds, where they were looked for.
@@ -44,6 +46,7 @@ impl LabelRow {
             predicted: None,
             misfits: Vec::new(),
             measures: Vec::new(),
+            stick_slip_margin: None,
             certainty: Certainty::default(),
             found: None,
             failed: false,

@@ -9,6 +9,7 @@ use super::label_row::LabelRow;
 use super::recorded_rows::RecordedRows;
 use campaign::records::{
     Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, Measure, OLD_PREDICTED, ResultColumn,
+    STICK_SLIP_MARGIN,
 };
 
 use campaign::quantities::Axis;
@@ -29,7 +30,7 @@ pub fn misfit_columns(path: &Path) -> Result<Vec<String>> {
 
 /// Where the columns are that are read back: `case`, `method`, the axes and measures asked
 /// for, `torsion` and, if they are there, `lateral`, `predicted`, misfits, certainties,
-/// found sites and `status`; others are ignored.
+/// the margin to Eq. 74, found sites and `status`; others are ignored.
 pub struct LabelColumns {
     case: usize,
     method: usize,
@@ -38,6 +39,7 @@ pub struct LabelColumns {
     predicted: Option<usize>,
     misfits: Vec<usize>,
     measures: Vec<usize>,
+    stick_slip_margin: Option<usize>,
     certainty: PerMotion<Option<usize>>,
     found: [Option<usize>; 2],
     status: Option<usize>,
@@ -123,6 +125,7 @@ impl LabelColumns {
             measures: (measures.iter())
                 .map(|measure| column(measure.column()))
                 .collect::<Result<_, _>>()?,
+            stick_slip_margin: place(STICK_SLIP_MARGIN)?,
             certainty: of_motions(ResultColumn::certainty_of)?,
             found: [place(FOUND_SITES)?, place(FOUND_ROUNDS)?],
             status: place("status")?,
@@ -171,6 +174,7 @@ impl LabelColumns {
             measures: (self.measures.iter())
                 .map(|&column| number(field(column)).ok())
                 .collect(),
+            stick_slip_margin: number(optional(self.stick_slip_margin)).ok(),
             certainty: Certainty::from_fn(|motion| optional(self.certainty[motion]).parse().ok()),
             found: {
                 let [sites, rounds] = self.found.map(optional);

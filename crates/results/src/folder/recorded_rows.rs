@@ -10,7 +10,7 @@ use super::manifest::Manifest;
 use super::open::MANIFEST;
 use super::records::{RECORDS, read_records};
 use campaign::quantities::Axis;
-use campaign::records::{Certainty, Measure, Record, RecordRow, certainty, certified};
+use campaign::records::{Certainty, Measure, Record, RecordRow, certainty, certified, to_rpm};
 
 /// What the rows of a folder are made of.
 pub(super) struct RecordedRows {
@@ -124,6 +124,7 @@ impl RecordedRows {
             measures: (self.measures.iter())
                 .map(|measure| measure.field(&row).number())
                 .collect(),
+            stick_slip_margin: record.above_limit.map(to_rpm),
             certainty,
             found: (record.found.as_ref()).map(|found| [found.sites.len(), found.rounds]),
             failed: outcome.is_err(),

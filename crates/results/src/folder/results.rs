@@ -87,6 +87,7 @@ impl<'a> TableWriter<'a> {
             predicted,
             certainty,
         );
+        (self.tally).add_margin(method, labels, record.above_limit);
         if let Some(found) = &record.found {
             (self.tally).add_found(method, [found.sites.len(), found.rounds]);
         }

@@ -24,6 +24,10 @@ pub struct Tally {
     /// Sites that were found, per method, where they were looked for.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub found_sites: BTreeMap<String, FoundSites>,
+    /// Rows on both sides of the one-slip estimate of stick-slip (Eq. 74), per method, where that is
+    /// known.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub one_slip_estimate: BTreeMap<String, BeyondEstimate>,
     /// Rows without an answer.
     pub failed: usize,
     /// Settled rows that were followed to the end, and those of them whose label
@@ -48,7 +52,53 @@ pub struct FoundSites {
     pub rounds: usize,
 }
 
+/// Rows by a method about the one-slip estimate of stick-slip (Eq. 74), which is no limit: both
+/// regimes may be on either side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct BeyondEstimate {
+    /// Rows that stick and slip, from one start or from any.
+    pub stick_slip: usize,
+    /// Those of them above the estimate.
+    pub stick_slip_above: usize,
+    /// Rows that turn smoothly.
+    pub smooth: usize,
+    /// Those of them below the estimate.
+    pub smooth_below: usize,
+}
+
 impl Tally {
+    /// Counts on which side of the one-slip estimate the surface of a row turns, by the speed above
+    /// it, where both that and the label of the bit are known.
+    pub fn add_margin(&mut self, method: &str, labels: Labels, margin: Option<f64>) {
+        let (Some(margin), Some(sticks)) = (margin, labels.is_sustained(Motion::Torsion)) else {
+            return;
+        };
+        let of_method = self.one_slip_estimate.entry(method.to_owned()).or_default();
+        if sticks {
+            of_method.stick_slip += 1;
+            of_method.stick_slip_above += usize::from(margin >= 0.0);
+        } else {
+            of_method.smooth += 1;
+            of_method.smooth_below += usize::from(margin < 0.0);
+        }
+    }
+
+    /// How many rows of each method are on the side of the one-slip estimate of stick-slip that it
+    /// does not expect, in words.
+    pub fn estimate_words(&self) -> impl Iterator<Item = (&str, String)> {
+        self.one_slip_estimate.iter().map(|(method, count)| {
+            let words = format!(
+                "{} of {} with stick-slip are above the one-slip estimate (Eq. 74), {} of {} that \
+                 turn smoothly below it",
+                count.stick_slip_above,
+                counted(count.stick_slip, "case"),
+                count.smooth_below,
+                count.smooth,
+            );
+            (method.as_str(), words)
+        })
+    }
+
     /// Counts how many sites a case was found to have by a method, and in how many rounds.
     pub fn add_found(&mut self, method: &str, [sites, rounds]: [usize; 2]) {
         let found = self.found_sites.entry(method.to_owned()).or_default();

@@ -26,18 +26,23 @@ impl Resonance {
     }
 }
 
-/// How a stretch stands to a limit of slow speeds that several curves (speed over weight) put
-/// differently: what is between them is uncertain.
-pub fn below_curves(curves: &[Curve], [weights, speeds]: [[f64; 2]; 2]) -> Standing {
-    let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
-    for [low, high] in curves.iter().flat_map(|curve| curve.ranges(1, weights)) {
-        (lowest, highest) = (lowest.min(low), highest.max(high));
-    }
-    if lowest > highest {
+/// How a stretch stands to an estimate of slow speeds by several curves (speed over weight): above the
+/// highest of them cases decide, where `has_cases` says that there are any; below it the estimate
+/// expects what the cases may not have.
+pub fn below_curves(
+    curves: &[Curve],
+    has_cases: bool,
+    [weights, speeds]: [[f64; 2]; 2],
+) -> Standing {
+    let ranges = curves.iter().flat_map(|curve| curve.ranges(1, weights));
+    let Some(highest) = ranges.map(|[_, high]| high).reduce(f64::max) else {
         // No curve reaches there.
         return Standing::Undetermined;
+    };
+    match Standing::above(speeds, f64::NEG_INFINITY, highest) {
+        Standing::Clear if !has_cases => Standing::Undetermined,
+        standing => standing,
     }
-    Standing::above(speeds, lowest, highest)
 }
 
 /// How a stretch stands to what can last from a speed on, once begun.
@@ -77,18 +82,21 @@ mod tests {
     }
 
     #[test]
-    fn what_is_between_two_curves_is_uncertain() {
+    fn an_estimate_is_no_limit() {
         let both = [
             curve([[0.0, 10.0], [100.0, 110.0]]),
             curve([[0.0, 20.0], [100.0, 120.0]]),
         ];
-        let at = |speeds| below_curves(&both, [[50.0, 51.0], speeds]);
-        assert_eq!(at([40.0, 59.0]), Standing::Against);
+        let at = |speeds| below_curves(&both, true, [[50.0, 51.0], speeds]);
+        assert_eq!(at([40.0, 59.0]), Standing::Near);
         assert_eq!(at([59.0, 61.0]), Standing::Near);
         assert_eq!(at([62.0, 63.0]), Standing::Near);
         assert_eq!(at([70.9, 90.0]), Standing::Near);
         assert_eq!(at([71.1, 90.0]), Standing::Clear);
-        let outside = below_curves(&both, [[101.0, 102.0], [0.0, 1.0]]);
+        // Where no case speaks, the estimate alone calls nothing safe.
+        let alone = below_curves(&both, false, [[50.0, 51.0], [71.1, 90.0]]);
+        assert_eq!(alone, Standing::Undetermined);
+        let outside = below_curves(&both, true, [[101.0, 102.0], [0.0, 1.0]]);
         assert_eq!(outside, Standing::Undetermined);
     }
 

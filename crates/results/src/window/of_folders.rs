@@ -54,7 +54,9 @@ pub fn limits(
         let folders = all.iter().map(|(folder, _)| folder.clone());
         return Err(WindowError::NothingInCommon(folders.collect()));
     }
-    sources.extend(of_curves(sweep, curves, ranges[0])?);
+    let has_cases =
+        (all.iter()).any(|(_, tables)| tables.manifest.tally.motions().contains(&Motion::Torsion));
+    sources.extend(of_curves(sweep, curves, ranges[0], has_cases)?);
     Ok((ranges, sources))
 }
 
@@ -116,12 +118,14 @@ fn curves_of(boundary: &Boundary, axes: &[Axis]) -> Vec<Curve> {
     curves.filter(is_over_weight).collect()
 }
 
-/// Eq. 74 by each method and by the exact undershoot: methods may agree with one another on fronts
-/// that they smear alike.
+/// The one-slip estimate of stick-slip (Eq. 74) by each method and by the exact undershoot: methods
+/// may agree with one another on fronts that they smear alike. `has_cases` is whether any folder has
+/// cases of the bit.
 fn of_curves(
     sweep: &Sweep,
     mut curves: Vec<Curve>,
     weights: [f64; 2],
+    has_cases: bool,
 ) -> Result<Option<Source<'static>>, WindowError> {
     // Where smooth rotation is lost, stick-slip follows, which can last there anyway.
     curves.retain(|curve| curve.method.is_some());
@@ -139,16 +143,16 @@ fn of_curves(
     let names: Vec<&str> = (curves.iter())
         .filter_map(|curve| curve.method.as_deref())
         .collect();
-    let description = match &names[..] {
-        [name] => format!("by {name}"),
-        names => format!("margin: between {}", names.join(", ")),
-    };
+    let description = format!(
+        "by {}; margin: all below the highest, for cases decide how far stick-slip goes",
+        names.join(", ")
+    );
     let lines = curves.iter().flat_map(|curve| curve.pieces.clone());
     Ok(Some(Source {
-        name: "stick-slip can last (Eq. 74)".to_owned(),
+        name: "one-slip estimate of stick-slip (Eq. 74)".to_owned(),
         description,
         edges: Default::default(),
         drawn: Drawn::Lines(lines.collect()),
-        standing: Box::new(move |ends| below_curves(&curves, ends)),
+        standing: Box::new(move |ends| below_curves(&curves, has_cases, ends)),
     }))
 }

@@ -139,6 +139,9 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
         text += &choice.lines(2);
     }
     text += &label_counts(&manifest.tally);
+    for (method, words) in manifest.tally.estimate_words() {
+        text += &wrapped(&format!("{method}: {words}"), 2, 4);
+    }
     text += &certain(manifest);
     text += &depends_on(manifest);
     text += &not_examined(manifest);

@@ -108,7 +108,7 @@ const LIVE: &str = r#"<div id="live" hidden>
 <div id="lead"></div></div>
 <section class="changed" aria-label="What can be changed"><div id="controls"></div>
 <p><button id="reset" type="button">As in the file</button></p>
-<div id="map" role="application" tabindex="0" aria-label="The limit, with the place of this case: drag it, or move it by arrow keys"></div>
+<div id="map" role="application" tabindex="0" aria-label="Map with the place of this case: drag it, or move it by arrow keys"></div>
 <p id="lines" class="note" hidden></p></section>
 <section id="motion" class="charts" aria-label="Its motion"></section>
 </div>

@@ -112,15 +112,20 @@ const limitAt = (curves, at) => {
   return least;
 };
 
-/** What may last on the side of the limit that has it, and what is on the other: of stick-slip below, of whirl above. Of a bit that cuts no limit is drawn: cases alone tell. */
+/** The line of a map: its title and name, what is said of a case below and above it, and, of a limit, that the side above it is shaded. Eq. 74 asks what one slip does and is no limit, so neither side is: the label of the case says how it turns. Of a bit that cuts no line is drawn. */
 const SIDES = {
   drilling: { title: "Where the case is" },
-  stick_slip: { title: "Limit of stick-slip (Eq. 74)", isBelow: true, with: "stick-slip can last", without: "smooth rotation" },
-  whirl: { title: "Limit of whirl", isBelow: false, with: "whirl can last, once begun", without: "no steady whirl" },
+  stick_slip: {
+    title: "One-slip estimate of stick-slip (Eq. 74)",
+    line: "the one-slip estimate (Eq. 74)",
+    below: "one slip from even rotation stops the bit again here; whether it goes on so, the case says",
+    above: "one slip from even rotation does not stop the bit again here, but several may: the case says",
+  },
+  whirl: { title: "Limit of whirl", line: "the limit", isShaded: true, below: "no steady whirl", above: "whirl can last, once begun" },
 };
 
-/** The area on the side of the least limit that has vibration, piece by piece where there is a limit. */
-const sidesOf = (curves, [[from, to], [low, high]], { isBelow }) => {
+/** The area above the least limit, piece by piece where there is a limit. */
+const sidesOf = (curves, [[from, to], [low, high]]) => {
   const pieces = [];
   let piece = null;
   for (let step = 0; step <= 200; step += 1) {
@@ -134,12 +139,11 @@ const sidesOf = (curves, [[from, to], [low, high]], { isBelow }) => {
     piece.x.push(x);
     piece.y.push(Math.min(high, Math.max(low, limit)));
   }
-  const edge = isBelow ? low : high;
-  return pieces.map(({ x, y }) => ({ x: [x[0], ...x, x.at(-1)], y: [edge, ...y, edge] }));
+  return pieces.map(({ x, y }) => ({ x: [x[0], ...x, x.at(-1)], y: [high, ...y, high] }));
 };
 
 /** Names of both sides, where each has room. */
-const sideNames = (curves, ends, { isBelow, ...side }) => {
+const sideNames = (curves, ends, side) => {
   const [low, high] = ends[1];
   const at = [0.05, 0.95].map((part) => ends[0][0] + part * (ends[0][1] - ends[0][0]));
   const limits = at.map((x) => limitAt(curves, x));
@@ -149,9 +153,9 @@ const sideNames = (curves, ends, { isBelow, ...side }) => {
   const [left, right] = limits.map((limit) => limit === null ? null : Math.min(high, Math.max(low, limit)));
   const below = (left ?? low) > (right ?? low) ? 0 : 1;
   const edge = [left, right][below];
-  if (edge !== null && edge - low > room) names.push({ text: isBelow ? side.with : side.without, at: [at[below], low + 0.3 * (edge - low)] });
+  if (edge !== null && edge - low > room) names.push({ text: side.below, at: [at[below], low + 0.3 * (edge - low)] });
   const other = [left, right][1 - below];
-  if (other !== null && high - other > room) names.push({ text: isBelow ? side.without : side.with, at: [at[1 - below], high - 0.3 * (high - other)] });
+  if (other !== null && high - other > room) names.push({ text: side.above, at: [at[1 - below], high - 0.3 * (high - other)] });
   return names;
 };
 
@@ -166,8 +170,8 @@ function showMap(lines) {
   const { title, ...side } = SIDES[data.map.of];
   const words = axes.map((axis) => axis.title);
   const here = axes.map(({ axis }) => values[axis]);
-  const names = sideNames(curves, ends, side);
-  byId("map").replaceChildren(chart({ title, words, ends, lines: curves, here, shape: 2, sides: sidesOf(curves, ends, side), names }));
+  const shades = side.isShaded ? { sides: sidesOf(curves, ends), names: sideNames(curves, ends, side) } : {};
+  byId("map").replaceChildren(chart({ title, words, ends, lines: curves, here, shape: 2, ...shades }));
   mapEnds = ends;
   showSide(limitAt(curves, here[0]), here, axes, side);
   const keys = lines.filter(({ name }) => name).map(({ name }, at) => `${LOOKS[at][1]}: ${name}`);
@@ -175,15 +179,15 @@ function showMap(lines) {
   byId("lines").textContent = `Of the string as it is in the file; ${keys.join("; ")}.`;
 }
 
-/** Says on which side of its limit the case is. */
+/** Says on which side of the line the case is. */
 function showSide(limit, [at, value], axes, side) {
   const [across, limited] = axes.map(({ unit }) => (unit ? ` ${unit}` : ""));
   const words = limit === null ? "" : (() => {
     const isBelow = value < limit;
     const digits = (number) => readable(Number(number.toPrecision(3)));
     const off = digits(Math.abs(value - limit));
-    const what = isBelow === side.isBelow ? side.with : side.without;
-    return `${off}${limited} ${isBelow ? "below" : "above"} the limit of ${digits(limit)}${limited} at ${readable(at)}${across}: ${what}.`;
+    const [where, what] = isBelow ? ["below", side.below] : ["above", side.above];
+    return `${off}${limited} ${where} ${side.line}, ${digits(limit)}${limited} at ${readable(at)}${across}: ${what}.`;
   })();
   byId("side").textContent = words;
 }

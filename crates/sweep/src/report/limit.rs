@@ -1,4 +1,5 @@
-//! Where the simulated boundary lies against the analytic limit.
+//! Where the simulated boundary lies against the analytic line: the one-slip estimate of stick-slip,
+//! or the least friction of steady whirl.
 
 use serde::Serialize;
 use sim::{Label, LateralRegime, Motion};
@@ -17,8 +18,9 @@ pub struct SideCounts {
 }
 
 /// How one method's labels lie about its limit. A case's place is its value in
-/// multiples of the limit: the surface speed for stick-slip, which Eq. 74 allows
-/// below one; the friction for backward whirl, which rolls steadily only above one.
+/// multiples of the limit: the surface speed for stick-slip, which Eq. 74 expects
+/// below one, though it may be on either side; the friction for backward whirl, which rolls steadily
+/// only above one.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct LimitCheck {
     /// The method.
@@ -27,9 +29,9 @@ pub struct LimitCheck {
     pub below: SideCounts,
     /// Those above it.
     pub above: SideCounts,
-    /// The place of the vibrating case furthest to the forbidden side.
+    /// The place of the vibrating case furthest to the quiet side.
     pub last_vibrating: Option<f64>,
-    /// The place of the quiet case furthest to the allowed side.
+    /// The place of the quiet case furthest to the vibrating side.
     pub last_quiet: Option<f64>,
 }
 
@@ -37,7 +39,7 @@ pub struct LimitCheck {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Limited {
-    /// The surface speed at which stick-slip can sustain itself.
+    /// The surface speed below which one slip from even rotation stops the bit again (Eq. 74).
     StickSlip,
     /// The friction at which backward whirl rolls steadily.
     Whirl,
@@ -48,6 +50,8 @@ pub enum Limited {
 pub struct LimitChecks {
     /// What is limited.
     pub limited: Limited,
+    /// What the limit means.
+    pub meaning: &'static str,
     /// A check for every method.
     pub checks: Vec<LimitCheck>,
     /// The limit for every method, over the value that it depends on.
@@ -88,6 +92,7 @@ impl LimitChecks {
         });
         Some(Self {
             limited,
+            meaning: limited.meaning(),
             checks: checks.collect(),
             lines,
             value,
@@ -114,6 +119,19 @@ impl LimitChecks {
 }
 
 impl Limited {
+    /// What a limit says of the cases below and above it.
+    fn meaning(self) -> &'static str {
+        match self {
+            Limited::StickSlip => {
+                "one-slip estimate (Eq. 74): below it a bit that turns evenly sticks again after one \
+                 slip; stick-slip may last above it, and smooth rotation below it"
+            }
+            Limited::Whirl => {
+                "least friction of steady rolling whirl at one site: necessary at that site alone"
+            }
+        }
+    }
+
     /// Whether a row has the vibration that is limited.
     fn vibrates(self, row: &LabelRow) -> Option<bool> {
         match self {

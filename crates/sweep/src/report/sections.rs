@@ -22,7 +22,7 @@ pub fn sections(all: &[Results], comparisons: &[Result<FolderComparison, Unlike>
         ("Regimes", regimes(all)),
         ("How often, how surely, what decides", analysed(all)),
         ("Agreement of the methods", agreement(all)),
-        ("The analytic limit", limits(all)),
+        ("Cases and the analytic line", limits(all)),
         ("Cases without an answer", failures(all)),
         ("Between the folders", between(all, comparisons)),
         ("How it was computed", computed(all)),
@@ -271,14 +271,14 @@ fn extent(listed: usize, all: usize) -> String {
 fn limits(all: &[Results]) -> Vec<Block> {
     let of_folder = |results: &Results| {
         let Some(limits) = &results.limits else {
-            let text = "The limit is given when the run is finished.";
+            let text = "The line is given when the run is finished.";
             let is_running = results.tables.so_far.is_some();
             return is_running.then(|| note(all, results, text));
         };
         let (caption, last) = match limits.limited {
             Limited::StickSlip => (
-                "Surface speed in multiples of the limit of Eq. 74, below which stick-slip can \
-                 sustain itself; cases as stick-slip / smooth",
+                "Surface speed in multiples of the one-slip estimate (Eq. 74), which is no limit of \
+                 stick-slip; cases as stick-slip / smooth",
                 ["highest stick-slip", "lowest smooth"],
             ),
             Limited::Whirl => (
@@ -287,7 +287,7 @@ fn limits(all: &[Results]) -> Vec<Block> {
                 ["lowest whirl", "highest without"],
             ),
         };
-        let header = ["method", "below the limit", "above it", last[0], last[1]];
+        let header = ["method", "below it", "above it", last[0], last[1]];
         let mut table = Table::new(named(all, results, caption), header);
         table.rows.extend(limits.checks.iter().map(limit_row));
         Some(folded(table))

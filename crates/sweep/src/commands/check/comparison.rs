@@ -42,11 +42,11 @@ pub struct ComparedLabel {
     pub distance: Option<Distance>,
 }
 
-/// Where a case is, in multiples of an analytic limit.
+/// Where a case is, in multiples of a speed or a friction that is known without a simulation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Distance {
-    /// Of the speed limit of stick-slip, Eq. 74.
+    /// Surface speed in multiples of the one-slip estimate of stick-slip, Eq. 74.
     TimesSpeedLimit(f64),
     /// Of the least friction of steady rolling whirl.
     TimesRollingFriction(f64),
@@ -56,7 +56,7 @@ impl fmt::Display for Distance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Distance::TimesSpeedLimit(ratio) => {
-                write!(f, "at {ratio:.3} times the speed limit of Eq. 74")
+                write!(f, "at {ratio:.3} times the speed of Eq. 74")
             }
             Distance::TimesRollingFriction(ratio) => {
                 write!(
@@ -172,7 +172,7 @@ fn distance_of_whirl(sweep: &Sweep, expected: &LabelRow) -> Option<Distance> {
     Some(Distance::TimesRollingFriction(ratio))
 }
 
-/// Where a case is in relation to the analytic limit of stick-slip.
+/// Where a case is in relation to the one-slip estimate of stick-slip, Eq. 74.
 fn distance_in_torsion(
     sweep: &Sweep,
     systems: &[MethodSystem],

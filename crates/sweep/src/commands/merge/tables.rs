@@ -113,6 +113,7 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
             row.predicted,
             row.certainty,
         );
+        tally.add_margin(&row.method, row.labels, row.stick_slip_margin);
         if let Some(found) = row.found {
             tally.add_found(&row.method, found);
         }

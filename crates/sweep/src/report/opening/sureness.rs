@@ -1,5 +1,5 @@
-//! How sure the answer is: whether methods agree, what is certain, what failed, and how far the
-//! simulated limit is from the analytic one.
+//! How sure the answer is: whether methods agree, what is certain, what failed, and how many cases
+//! are on the side of the analytic line that it does not expect.
 
 use crate::report::limit::{LimitCheck, Limited};
 use crate::report::phrases::{capital, listed, share};
@@ -7,9 +7,6 @@ use crate::report::results::Results;
 use campaign::engine::is_unstable;
 use campaign::words::{counted, short};
 use results::analysis::wilson;
-
-/// The simulated limit agrees with the analytic one within this factor.
-const NEAR: f64 = 1.15;
 
 /// What speaks for the answer and against it, as sentences.
 pub fn sureness(results: &Results) -> String {
@@ -80,50 +77,40 @@ fn interval(results: &Results) -> Option<String> {
     ))
 }
 
-/// How far the limit of the cases is from the analytic one.
+/// Cases on either side of what is known of their motion without them.
 fn margin(results: &Results) -> Option<String> {
-    let limits = results.limits.as_ref()?;
-    let furthest = |of: fn(&LimitCheck) -> Option<f64>, further: fn(f64, f64) -> f64| {
-        limits.checks.iter().filter_map(of).reduce(further)
-    };
-    let vibrating: fn(&LimitCheck) -> Option<f64> = |check| check.last_vibrating;
-    let quiet: fn(&LimitCheck) -> Option<f64> = |check| check.last_quiet;
-    Some(match limits.limited {
-        Limited::StickSlip => {
-            let stick_slip = furthest(vibrating, f64::max)?;
-            let from = furthest(quiet, f64::min).map_or_else(String::new, |smooth| {
-                format!(
-                    " and smooth rotation from {} times on",
-                    short(round(smooth))
-                )
-            });
-            let up_to = format!(
-                "stick-slip is found up to {} times the speed of the analytic limit (Eq. 74){from}",
-                short(round(stick_slip))
-            );
-            match stick_slip {
-                high if high > NEAR => {
-                    format!("{}: that limit alone is too low here.", capital(&up_to))
-                }
-                low if low < 1.0 / NEAR => {
-                    format!("{}: that limit is on the safe side.", capital(&up_to))
-                }
-                _ => format!("The analytic limit agrees: {up_to}."),
-            }
-        }
-        Limited::Whirl => {
-            let whirl = furthest(vibrating, f64::min)?;
-            format!(
-                "Backward whirl is found from {} times the least friction that sustains it at one \
-                 site on.",
-                short(round(whirl))
-            )
-        }
-    })
+    let tally = &results.manifest.tally;
+    let counts = tally
+        .estimate_words()
+        .map(|(method, words)| format!("By {method} {words}."));
+    let sentences: Vec<String> = counts.chain(furthest(results)).collect();
+    (!sentences.is_empty()).then(|| sentences.join(" "))
 }
 
-fn round(value: f64) -> f64 {
-    (100.0 * value).round() / 100.0
+/// How far the cases of either regime reach to the side that the analytic line does not expect.
+fn furthest(results: &Results) -> Option<String> {
+    let limits = results.limits.as_ref()?;
+    let of = |place: fn(&LimitCheck) -> Option<f64>, further: fn(f64, f64) -> f64| {
+        let furthest = limits.checks.iter().filter_map(place).reduce(further)?;
+        Some(short((100.0 * furthest).round() / 100.0))
+    };
+    match limits.limited {
+        Limited::StickSlip => {
+            let stick_slip = of(|check| check.last_vibrating, f64::max)
+                .map(|place| format!("stick-slip is found up to {place} times that estimate"));
+            let smooth = of(|check| check.last_quiet, f64::min)
+                .map(|place| format!("smooth rotation is found from {place} times that estimate on"));
+            let found: Vec<String> = [stick_slip, smooth].into_iter().flatten().collect();
+            (!found.is_empty()).then(|| format!("{}.", capital(&listed(&found))))
+        }
+        Limited::Whirl => {
+            let whirl = of(|check| check.last_vibrating, f64::min)?;
+            Some(format!(
+                "Backward whirl is found from {whirl} times the least friction that sustains it at \
+                 one site on."
+            ))
+        }
+    }
 }
 
 fn answers(results: &Results) -> String {
