@@ -167,6 +167,56 @@ fn a_cell_is_safe_where_cases_around_it_are_smooth_and_above_eq_74() {
     }
 }
 
+/// Below its line smooth rotation is lost, if slowly: cases too short for that make no cell safe.
+#[test]
+fn no_cell_is_safe_where_smooth_rotation_is_lost() {
+    let falls = with(
+        SMALL,
+        "\"sandstone\"",
+        "\"sandstone\"\ntorque_decay_rpm = 0.8",
+    );
+    let faster = with(&falls, "to = 0.6, count = 3", "to = 2.4, count = 13");
+    let text = with(
+        &faster,
+        "values = [30, 70]",
+        "from = 20, to = 60, count = 5",
+    );
+    let place = Workplace::with_small(&text);
+    done(&place, &["run", "small.toml", "--quiet", "--out", "out"]);
+    done(&place, &["window", "small.toml", "out"]);
+    let (header, rows) = table(&place, "out/boundary.csv");
+    let column = |name: &str| header.iter().position(|known| known == name).unwrap();
+    let number = |row: &[String], name: &str| row[column(name)].parse::<f64>().unwrap();
+    let line: Vec<[f64; 2]> = (rows.iter())
+        .filter(|row| row[column("limit")] == "smooth_rotation")
+        .map(|row| ["weight_on_bit_kn", "surface_speed_rpm"].map(|name| number(row, name)))
+        .collect();
+    assert!(line.len() > 10, "{line:?}");
+    let (mut safe, mut lost) = (0, 0);
+    for cell in cells(&place, "out/window.csv") {
+        let [weights, speeds] = cell.ends;
+        // The line rises with the weight.
+        let points = line.iter().filter(|[weight, _]| *weight <= weights[0]);
+        let lowest = points.map(|[_, speed]| *speed).fold(0.0, f64::max);
+        safe += usize::from(cell.standing == "safe");
+        if speeds[1] < lowest {
+            lost += 1;
+            assert!(
+                ["against", "untold"].contains(&&*cell.standing),
+                "{:?}",
+                cell.ends
+            );
+            assert!(cell.limits.contains("loss of smooth rotation"));
+        }
+        assert!(
+            cell.standing != "safe" || speeds[0] >= lowest,
+            "{:?}",
+            cell.ends
+        );
+    }
+    assert!(safe > 500 && lost > 500, "{safe} {lost}");
+}
+
 /// Of a part of a grid, what is around cases that are not there is not known.
 #[test]
 fn what_was_not_simulated_is_not_known() {

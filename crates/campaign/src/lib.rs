@@ -72,7 +72,7 @@
 //!     labels[record.case] = outcome.labels().to_string();
 //!     Ok(())
 //! })?;
-//! // Below the limit of Eq. 74, and far above it.
+//! // Below the line of Eq. 74, and far above it.
 //! assert_eq!(labels.into_inner()?, ["stick_slip", "smooth"]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -1,6 +1,6 @@
-//! Limits that are known without a simulation: of stick-slip by Eq. 74, of smooth rotation where the
-//! torque falls with the bit's speed, and of whirl by steady motions, each from the exact waves of
-//! the string; and of a string that lies in its hole, from its static states.
+//! Lines that are known without a simulation: the one-slip estimate of stick-slip (Eq. 74), limits of
+//! smooth rotation where the torque falls with the bit's speed, and of whirl by steady motions, each
+//! from the exact waves of the string; and of a string that lies in its hole, from its static states.
 //!
 //! [`boundary`] gives the limit of a sweep, and `boundary.csv`; [`Curve`]s are what a map shows of
 //! it. What is solved of the waves is the business of `linear` and `sim`.

@@ -1,6 +1,6 @@
 //! One case from rest to its regimes: the stepper, what is skipped, and who watches.
 //!
-//! Below the limit of Eq. 74 a bit sticks again and again, well above it never (`responses` of a
+//! On this string a bit sticks again and again below Eq. 74, and well above it never (`responses` of a
 //! string as in the example of the crate):
 //!
 //! ```

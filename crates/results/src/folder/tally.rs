@@ -87,14 +87,23 @@ impl Tally {
     /// does not expect, in words.
     pub fn estimate_words(&self) -> impl Iterator<Item = (&str, String)> {
         self.one_slip_estimate.iter().map(|(method, count)| {
-            let words = format!(
-                "{} of {} with stick-slip are above the one-slip estimate (Eq. 74), {} of {} that \
-                 turn smoothly below it",
-                count.stick_slip_above,
-                counted(count.stick_slip, "case"),
-                count.smooth_below,
-                count.smooth,
-            );
+            let parts = [
+                (
+                    count.stick_slip,
+                    count.stick_slip_above,
+                    "with stick-slip are above",
+                ),
+                (
+                    count.smooth,
+                    count.smooth_below,
+                    "that turn smoothly are below",
+                ),
+            ];
+            let parts = parts.into_iter().filter(|(all, ..)| *all > 0);
+            let parts =
+                parts.map(|(all, part, side)| format!("{part} of {} {side}", counted(all, "case")));
+            let parts: Vec<String> = parts.collect();
+            let words = format!("{} the one-slip estimate (Eq. 74)", parts.join(" and "));
             (method.as_str(), words)
         })
     }

@@ -26,22 +26,27 @@ impl Resonance {
     }
 }
 
-/// How a stretch stands to an estimate of slow speeds by several curves (speed over weight): above the
-/// highest of them cases decide, where `has_cases` says that there are any; below it the estimate
-/// expects what the cases may not have.
-pub fn below_curves(
-    curves: &[Curve],
-    has_cases: bool,
-    [weights, speeds]: [[f64; 2]; 2],
-) -> Standing {
+/// Lowest and highest speed of curves over weight; none where no curve reaches.
+fn range_over(curves: &[Curve], weights: [f64; 2]) -> Option<[f64; 2]> {
     let ranges = curves.iter().flat_map(|curve| curve.ranges(1, weights));
-    let Some(highest) = ranges.map(|[_, high]| high).reduce(f64::max) else {
-        // No curve reaches there.
-        return Standing::Undetermined;
-    };
-    match Standing::above(speeds, f64::NEG_INFINITY, highest) {
-        Standing::Clear if !has_cases => Standing::Undetermined,
-        standing => standing,
+    ranges.reduce(|one, other| [one[0].min(other[0]), one[1].max(other[1])])
+}
+
+/// How a stretch stands to an estimate of slow speeds, which is no limit: what is below its highest curve
+/// may be either, and above that cases decide alone.
+pub fn below_estimate(curves: &[Curve], [weights, speeds]: [[f64; 2]; 2]) -> Standing {
+    match range_over(curves, weights) {
+        Some([_, highest]) => Standing::above(speeds, f64::NEG_INFINITY, highest),
+        None => Standing::Undetermined,
+    }
+}
+
+/// How a stretch stands to a limit below which smooth rotation is lost; where no curve reaches, it lasts
+/// at every speed.
+pub fn below_limit(curves: &[Curve], [weights, speeds]: [[f64; 2]; 2]) -> Standing {
+    match range_over(curves, weights) {
+        Some([lowest, highest]) => Standing::above(speeds, lowest, highest),
+        None => Standing::Clear,
     }
 }
 
@@ -87,17 +92,28 @@ mod tests {
             curve([[0.0, 10.0], [100.0, 110.0]]),
             curve([[0.0, 20.0], [100.0, 120.0]]),
         ];
-        let at = |speeds| below_curves(&both, true, [[50.0, 51.0], speeds]);
+        let at = |speeds| below_estimate(&both, [[50.0, 51.0], speeds]);
         assert_eq!(at([40.0, 59.0]), Standing::Near);
         assert_eq!(at([59.0, 61.0]), Standing::Near);
         assert_eq!(at([62.0, 63.0]), Standing::Near);
         assert_eq!(at([70.9, 90.0]), Standing::Near);
         assert_eq!(at([71.1, 90.0]), Standing::Clear);
-        // Where no case speaks, the estimate alone calls nothing safe.
-        let alone = below_curves(&both, false, [[50.0, 51.0], [71.1, 90.0]]);
-        assert_eq!(alone, Standing::Undetermined);
-        let outside = below_curves(&both, true, [[101.0, 102.0], [0.0, 1.0]]);
+        let outside = below_estimate(&both, [[101.0, 102.0], [0.0, 1.0]]);
         assert_eq!(outside, Standing::Undetermined);
+    }
+
+    #[test]
+    fn what_is_between_two_curves_of_a_limit_is_uncertain() {
+        let both = [
+            curve([[0.0, 10.0], [100.0, 110.0]]),
+            curve([[0.0, 20.0], [100.0, 120.0]]),
+        ];
+        let at = |speeds| below_limit(&both, [[50.0, 51.0], speeds]);
+        assert_eq!(at([40.0, 59.0]), Standing::Against);
+        assert_eq!(at([59.0, 61.0]), Standing::Near);
+        assert_eq!(at([71.1, 90.0]), Standing::Clear);
+        let outside = below_limit(&both, [[101.0, 102.0], [0.0, 1.0]]);
+        assert_eq!(outside, Standing::Clear);
     }
 
     #[test]

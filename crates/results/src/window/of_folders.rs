@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::Context;
 use sim::Motion;
 
-use super::analytic::below_curves;
+use super::analytic::{below_estimate, below_limit};
 use super::asked::WindowAsked;
 use super::chart::{Drawn, Source};
 use super::error::WindowError;
@@ -54,9 +54,7 @@ pub fn limits(
         let folders = all.iter().map(|(folder, _)| folder.clone());
         return Err(WindowError::NothingInCommon(folders.collect()));
     }
-    let has_cases =
-        (all.iter()).any(|(_, tables)| tables.manifest.tally.motions().contains(&Motion::Torsion));
-    sources.extend(of_curves(sweep, curves, ranges[0], has_cases)?);
+    sources.extend(of_curves(sweep, curves, ranges[0])?);
     Ok((ranges, sources))
 }
 
@@ -118,20 +116,29 @@ fn curves_of(boundary: &Boundary, axes: &[Axis]) -> Vec<Curve> {
     curves.filter(is_over_weight).collect()
 }
 
-/// The one-slip estimate of stick-slip (Eq. 74) by each method and by the exact undershoot: methods
-/// may agree with one another on fronts that they smear alike. `has_cases` is whether any folder has
-/// cases of the bit.
+/// What is known of torsion without a case, where the bit's torque has it: where smooth rotation is lost,
+/// as the torque falls with the bit's speed, and the one-slip estimate.
 fn of_curves(
+    sweep: &Sweep,
+    curves: Vec<Curve>,
+    weights: [f64; 2],
+) -> Result<Vec<Source<'static>>, WindowError> {
+    if !sweep.setting.has_stick_slip_limit() {
+        return Ok(Vec::new());
+    }
+    let is_estimate = |curve: &Curve| curve.method.is_some();
+    let (estimate, lost) = curves.into_iter().partition(is_estimate);
+    let sources = [one_slip_estimate(sweep, estimate, weights)?, loss(lost)];
+    Ok(sources.into_iter().flatten().collect())
+}
+
+/// The one-slip estimate of stick-slip (Eq. 74) by each method and by the exact undershoot: methods
+/// may agree with one another on fronts that they smear alike.
+fn one_slip_estimate(
     sweep: &Sweep,
     mut curves: Vec<Curve>,
     weights: [f64; 2],
-    has_cases: bool,
 ) -> Result<Option<Source<'static>>, WindowError> {
-    // Where smooth rotation is lost, stick-slip follows, which can last there anyway.
-    curves.retain(|curve| curve.method.is_some());
-    if !sweep.setting.has_stick_slip_limit() {
-        return Ok(None);
-    }
     // Where the string rubs along its well, that has a part in it.
     if sweep.content.string_friction.is_none() {
         let exact = exact_stick_slip_limit(sweep, weights)?;
@@ -147,12 +154,32 @@ fn of_curves(
         "by {}; margin: all below the highest, for cases decide how far stick-slip goes",
         names.join(", ")
     );
-    let lines = curves.iter().flat_map(|curve| curve.pieces.clone());
     Ok(Some(Source {
         name: "one-slip estimate of stick-slip (Eq. 74)".to_owned(),
         description,
         edges: Default::default(),
-        drawn: Drawn::Lines(lines.collect()),
-        standing: Box::new(move |ends| below_curves(&curves, has_cases, ends)),
+        drawn: lines(&curves),
+        standing: Box::new(move |ends| below_estimate(&curves, ends)),
     }))
+}
+
+/// The limit below which small vibration grows until smooth rotation is lost, which may take longer than
+/// a case.
+fn loss(curves: Vec<Curve>) -> Option<Source<'static>> {
+    (!curves.is_empty()).then(|| Source {
+        name: "loss of smooth rotation".to_owned(),
+        description: "by exact waves; it may take longer than a case".to_owned(),
+        edges: Default::default(),
+        drawn: lines(&curves),
+        standing: Box::new(move |ends| below_limit(&curves, ends)),
+    })
+}
+
+fn lines(curves: &[Curve]) -> Drawn {
+    Drawn::Lines(
+        curves
+            .iter()
+            .flat_map(|curve| curve.pieces.clone())
+            .collect(),
+    )
 }

@@ -118,7 +118,7 @@ const SIDES = {
   stick_slip: {
     title: "One-slip estimate of stick-slip (Eq. 74)",
     line: "the one-slip estimate (Eq. 74)",
-    below: "one slip from even rotation stops the bit again here; whether it goes on so, the case says",
+    below: "one slip from even rotation stops the bit again here; whether stick-slip lasts, the case says",
     above: "one slip from even rotation does not stop the bit again here, but several may: the case says",
   },
   whirl: { title: "Limit of whirl", line: "the limit", isShaded: true, below: "no steady whirl", above: "whirl can last, once begun" },

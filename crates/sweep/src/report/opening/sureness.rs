@@ -98,8 +98,9 @@ fn furthest(results: &Results) -> Option<String> {
         Limited::StickSlip => {
             let stick_slip = of(|check| check.last_vibrating, f64::max)
                 .map(|place| format!("stick-slip is found up to {place} times that estimate"));
-            let smooth = of(|check| check.last_quiet, f64::min)
-                .map(|place| format!("smooth rotation is found from {place} times that estimate on"));
+            let smooth = of(|check| check.last_quiet, f64::min).map(|place| {
+                format!("smooth rotation is found from {place} times that estimate on")
+            });
             let found: Vec<String> = [stick_slip, smooth].into_iter().flatten().collect();
             (!found.is_empty()).then(|| format!("{}.", capital(&listed(&found))))
         }
