@@ -325,7 +325,7 @@ fn a_map_of_one_regime_names_it_alone_and_tells_where_stick_slip_begins() {
     let nearest = (0..limits.len()).max_by(|&a, &b| limits[a].total_cmp(&limits[b]));
     let nearest = nearest.unwrap();
     assert!(words.contains("below this map"), "{words}");
-    assert_near(number_after(&words, "quadrature: limit "), limits[nearest]);
+    assert_near(number_after(&words, "quadrature: "), limits[nearest]);
     assert_near(number_after(&words, "rpm at "), weights[nearest]);
     assert_near(number_after(&words, "margin "), 20.0 - limits[nearest]);
     let summary = run.place.sweep(&["summary", "results"]).output;

@@ -207,7 +207,9 @@ fn out_of_view(
 /// A limit that is on a `side` of the map, by a margin.
 fn unseen(curve: &Curve, limit: &str, side: &str, margin: &str) -> String {
     let name = &curve.name;
-    format!("{name}: {limit}, {side} this map; margin {margin}")
+    // Eq. 74, the one line that methods differ in, is an estimate.
+    let what = if curve.method.is_some() { "" } else { "limit " };
+    format!("{name}: {what}{limit}, {side} this map; margin {margin}")
 }
 
 /// The points of a piece. A single one, of a map over one value or of a branch that is the
@@ -314,17 +316,17 @@ mod tests {
             (
                 view(SPEED, friction([2.5, 3.0])),
                 [0.0; 2],
-                "bound: 2 at 100 rpm, below this map; margin 0.5",
+                "bound: limit 2 at 100 rpm, below this map; margin 0.5",
             ),
             (
                 view(friction([0.1, 0.5]), IMPULSE),
                 [50.0; 2],
-                "bound: 1.5 at 50 rpm, right of this map; margin 1",
+                "bound: limit 1.5 at 50 rpm, right of this map; margin 1",
             ),
             (
                 view(SPEED, IMPULSE),
                 [0.4, 0.7],
-                "bound: 1 at 0 rpm, above the 0.4 to 0.7 of this map; margin 0.3",
+                "bound: limit 1 at 0 rpm, above the 0.4 to 0.7 of this map; margin 0.3",
             ),
             (
                 view(
@@ -332,7 +334,7 @@ mod tests {
                     friction([0.5, 3.0]),
                 ),
                 [0.0; 2],
-                "bound: 2 at 100 rpm, left of this map; margin 20 rpm",
+                "bound: limit 2 at 100 rpm, left of this map; margin 20 rpm",
             ),
         ] {
             let limits = Limits::of(&[&slope()], &map, |_| held);
@@ -345,7 +347,7 @@ mod tests {
     fn a_limit_out_of_view_is_noted_in_field_units() {
         let curve = Curve {
             name: "Eq. 74".to_owned(),
-            method: None,
+            method: Some("held".to_owned()),
             motion: Motion::Torsion,
             along: Axis::WeightOnBitKn,
             limited: Axis::SurfaceSpeedRpm,
@@ -376,7 +378,7 @@ mod tests {
         assert_eq!(limits.lines[0].points, [(1.5, 59.0), (1.5, 61.0)]);
         let slower = (Axis::SurfaceSpeedRpm, [10.0, 59.5]);
         let limits = Limits::of(&[&curve], &view(FRICTION, slower), |_| [0.0; 2]);
-        let note = "bound: 1.5 at 60 rpm, above this map; margin 0.5 rpm";
+        let note = "bound: limit 1.5 at 60 rpm, above this map; margin 0.5 rpm";
         assert!(limits.lines.is_empty());
         assert_eq!(limits.notes, [note]);
     }
