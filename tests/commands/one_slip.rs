@@ -1,9 +1,11 @@
 //! The one-slip estimate of stick-slip (Eq. 74) against cases: it is no limit, to either side.
 
-use crate::support::Workplace;
+use serde_json::Value;
 
-/// 1900 m of pipe with half-metre tool joints and one constant of damping: echoes of many joints
-/// arrive at once, and one slip stops the bit for a moment at speeds at which it then turns smoothly.
+use crate::support::{SMALL, Workplace};
+
+/// 1900 m of pipe with half-metre tool joints and one constant of damping: the echoes of many joints meet
+/// in one deep dip, when a bit that was held is faster than the surface.
 const JOINTED: &str = r#"
 methods = ["held"]
 [string]
@@ -96,4 +98,41 @@ fn smooth_rotation_below_eq_74_is_counted_too() {
         summary.contains("Smooth rotation is found from 0.7 times that estimate on."),
         "{summary}"
     );
+}
+
+#[test]
+fn shards_that_are_merged_count_as_one_run() {
+    let place = Workplace::with_small(SMALL);
+    let done = |arguments: &[&str]| {
+        let answer = place.sweep(arguments);
+        assert_eq!(answer.code, 0, "{}", answer.errors);
+    };
+    done(&["run", "small.toml", "--quiet", "--out", "whole"]);
+    done(&[
+        "run",
+        "small.toml",
+        "--quiet",
+        "--shard",
+        "0/2",
+        "--out",
+        "a",
+    ]);
+    done(&[
+        "run",
+        "small.toml",
+        "--quiet",
+        "--shard",
+        "1/2",
+        "--out",
+        "b",
+    ]);
+    done(&["merge", "a", "b", "--out", "merged"]);
+    let [whole, merged] = ["whole", "merged"].map(|folder| {
+        let text = std::fs::read_to_string(place.path(folder).join("manifest.json")).unwrap();
+        let manifest: Value = serde_json::from_str(&text).unwrap();
+        manifest["one_slip_estimate"].clone()
+    });
+    assert_eq!(merged, whole);
+    let count = |what: &str| whole["quadrature"][what].as_u64().unwrap();
+    assert_eq!(count("stick_slip") + count("smooth"), 6);
 }
