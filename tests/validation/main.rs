@@ -16,6 +16,7 @@ mod surface_torque;
 mod top_drive;
 mod tradeoff;
 mod whirl_limit;
+mod whirl_that_lasts;
 
 #[allow(dead_code, reason = "other test programs use more of it")]
 #[path = "../support/mod.rs"]

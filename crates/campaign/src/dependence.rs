@@ -4,6 +4,7 @@
 use anyhow::Result;
 use linear::{Method, parallel};
 use serde::{Deserialize, Serialize};
+use sim::{Label, Outcome};
 
 use crate::engine::{
     Case, MethodSystem, Recipe, RunOptions, Shard, StringMemory, answer, has_case, setting_of,
@@ -41,6 +42,12 @@ const WARNED_PART: f64 = 0.1;
 /// and the fewest labels.
 const WARNED_CASES: usize = 2;
 
+/// Whirl by two methods is another if its rate differs by more than this part of the greater,
+const ANOTHER_RATE: f64 = 0.25;
+
+/// or its mean force by more than this part. Whirl of several sites is chaotic, and repeats both to a tenth.
+const ANOTHER_FORCE: f64 = 0.5;
+
 /// What is changed of a case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -75,13 +82,17 @@ pub struct Dependence {
     pub cases: usize,
     /// Those of them with another label.
     pub changed: usize,
+    /// Those of them that whirl both ways, at another rate or with another force.
+    #[serde(default)]
+    pub other_whirl: usize,
 }
 
 impl Dependence {
     /// Whether it is worth a warning. Where the start decides, both labels are right.
     pub fn is_warned_of(&self) -> bool {
-        let part = self.changed as f64 / self.cases.max(1) as f64;
-        self.changed >= WARNED_CASES && part >= WARNED_PART
+        let differing = self.changed + self.other_whirl;
+        let part = differing as f64 / self.cases.max(1) as f64;
+        differing >= WARNED_CASES && part >= WARNED_PART
     }
 
     /// What is to be said of it, in a sweep that the file says this of.
@@ -90,6 +101,7 @@ impl Dependence {
             change,
             cases,
             changed,
+            other_whirl,
         } = self;
         let how = change.words();
         let or_accuracy = match content.may_have_accuracy() {
@@ -108,7 +120,11 @@ impl Dependence {
         };
         let of = counted(*cases, "sampled case");
         let advice = if self.is_warned_of() { &what_to_do } else { "" };
-        format!("{how}, {changed} of {of} have another label{advice}")
+        let whirl = match other_whirl {
+            0 => String::new(),
+            _ => format!(", and {other_whirl} whirl at another rate or with another force"),
+        };
+        format!("{how}, {changed} of {of} have another label{whirl}{advice}")
     }
 }
 
@@ -139,19 +155,19 @@ pub fn dependences(
         Ok(of_string) => of_string.counts(&variants, built),
         Err(_) => vec![None; variants.len()],
     };
-    let counts: Vec<Vec<Option<[usize; 2]>>> =
-        strings.iter().filter(has_own).map(of_string).collect();
+    let counts: Vec<Vec<Option<Counts>>> = strings.iter().filter(has_own).map(of_string).collect();
     let total = |place: usize| {
         let of_strings = counts.iter().filter_map(|counts| counts[place]);
-        of_strings.reduce(|[all, changed], [more, others]| [all + more, changed + others])
+        of_strings.reduce(|all, more| std::array::from_fn(|it| all[it] + more[it]))
     };
     (variants.iter().enumerate())
         .filter_map(|(place, variant)| {
-            let [cases, changed] = total(place)?;
+            let [cases, changed, other_whirl] = total(place)?;
             Some(Dependence {
                 change: variant.change.clone(),
                 cases,
                 changed,
+                other_whirl,
             })
         })
         .collect()
@@ -165,6 +181,7 @@ pub fn together<'a>(parts: impl IntoIterator<Item = &'a [Dependence]>) -> Vec<De
             Some(one) => {
                 one.cases += part.cases;
                 one.changed += part.changed;
+                one.other_whirl += part.other_whirl;
             }
             None => all.push(part.clone()),
         }
@@ -224,7 +241,7 @@ impl Variant {
     fn setting(&self, setting: &Setting) -> Setting {
         match self.change {
             Change::SamplingFrequencyHz(_) => {
-                setting.sampled_at(FINER * setting.sampling_frequency)
+                setting.sampled_at(FINER * setting.frequency_by(&self.method))
             }
             Change::Method(_) | Change::Start(_) => setting.clone(),
         }
@@ -233,7 +250,7 @@ impl Variant {
 
 fn variants(sweep: &Sweep) -> Vec<Variant> {
     let (method, starts) = (sweep.methods[0], sweep.starts);
-    let finer = FINER * sweep.setting.sampling_frequency;
+    let finer = FINER * sweep.setting.frequency_by(&method);
     let parameters = sweep.content.method.finite_element;
     let others = [
         Method::Held,
@@ -297,11 +314,7 @@ impl<'a> OfString<'a> {
 
     /// Cases with an answer both ways, and those with another label, by variant; none where no
     /// method treats it. `built` is its system as the sweep has it, where that is there.
-    fn counts(
-        &self,
-        variants: &[Variant],
-        built: Option<&MethodSystem>,
-    ) -> Vec<Option<[usize; 2]>> {
+    fn counts(&self, variants: &[Variant], built: Option<&MethodSystem>) -> Vec<Option<Counts>> {
         let begun_otherwise = |variant: &&Variant| matches!(variant.change, Change::Start(_));
         let others = variants.iter().filter(begun_otherwise);
         let starts: Vec<Starts> = [self.sweep.starts]
@@ -310,7 +323,7 @@ impl<'a> OfString<'a> {
             .collect();
         let own = self.records(&starts, &self.setting, self.sweep.methods[0], built);
         let Some((as_run, otherwise)) = own.as_deref().and_then(<[Records]>::split_first) else {
-            return vec![own.map(|_| [0, 0]); variants.len()];
+            return vec![own.map(|_| [0; 3]); variants.len()];
         };
         let mut otherwise = otherwise.iter();
         let count = |variant: &Variant| match variant.change {
@@ -318,7 +331,7 @@ impl<'a> OfString<'a> {
             _ => {
                 let setting = variant.setting(&self.setting);
                 let records = self.records(&[variant.starts], &setting, variant.method, None)?;
-                Some(records.first().map_or([0, 0], |it| differing(as_run, it)))
+                Some(records.first().map_or([0; 3], |it| differing(as_run, it)))
             }
         };
         variants.iter().map(count).collect()
@@ -380,18 +393,38 @@ fn is_worth_building(sweep: &Sweep, setting: &Setting, longest: f64) -> bool {
     parts * taps <= LIGHT || parts <= PARTS_PER_CASE * sweep.design.cases() as f64
 }
 
-/// Cases with an answer both ways, and those of them with another label.
-fn differing(some: &Records, others: &Records) -> [usize; 2] {
-    let labels = |record: &Option<Record>| {
-        let outcome = record.as_ref()?.outcome.as_ref().ok()?;
-        Some(outcome.labels())
+/// Cases with an answer both ways, those of them with another label, and those with another whirl.
+type Counts = [usize; 3];
+
+fn differing(some: &Records, others: &Records) -> Counts {
+    let outcome = |record: &'_ Option<Record>| record.as_ref()?.outcome.as_ref().ok().cloned();
+    let mut counts = [0; 3];
+    for (one, other) in some.iter().zip(others) {
+        let Some((one, other)) = outcome(one).zip(outcome(other)) else {
+            continue;
+        };
+        let differs = one.labels() != other.labels();
+        counts[0] += 1;
+        counts[1] += usize::from(differs);
+        counts[2] += usize::from(!differs && whirls_otherwise(&one, &other));
+    }
+    counts
+}
+
+/// Whether two outcomes are whirl at rates or with forces that are not alike.
+fn whirls_otherwise(one: &Outcome, other: &Outcome) -> bool {
+    let whirl = |outcome: &Outcome| {
+        let lateral = outcome.lateral()?;
+        let whirls = Label::Lateral(lateral.regime).is_sustained() == Some(true);
+        whirls.then_some([lateral.precession_rate, lateral.mean_normal_force])
     };
-    let pairs = some.iter().zip(others);
-    let both: Vec<_> = pairs
-        .filter_map(|(one, other)| Some((labels(one)?, labels(other)?)))
-        .collect();
-    let differ = both.iter().filter(|(one, other)| one != other);
-    [both.len(), differ.count()]
+    let Some((one, other)) = whirl(one).zip(whirl(other)) else {
+        return false;
+    };
+    let differs = |it: usize, part: f64| {
+        (one[it] - other[it]).abs() > part * one[it].abs().max(other[it].abs())
+    };
+    differs(0, ANOTHER_RATE) || differs(1, ANOTHER_FORCE)
 }
 
 #[cfg(test)]
@@ -474,6 +507,7 @@ mod tests {
             change: Change::SamplingFrequencyHz(640.0),
             cases: 10,
             changed: 5,
+            other_whirl: 0,
         };
         let bit = "[bit]\ntorque_dynamic_nm = 4000\n";
         let methods = "methods = [\"held\"]\n";

@@ -10,3 +10,4 @@ pub mod oracles;
 pub mod pipes;
 pub mod plain_lattice;
 pub mod wells;
+pub mod whirling_collar;

@@ -95,6 +95,12 @@ pub struct Trajectory {
 const RECORDED: f64 = 9.0 + 1.0 / REAL;
 
 impl Trajectory {
+    /// Sampling frequency, Hz, of two steps or more.
+    pub fn sampling_frequency(&self) -> Option<f64> {
+        let (first, last) = (self.times.first()?, self.times.last()?);
+        (last > first).then(|| (self.times.len() - 1) as f64 / (last - first))
+    }
+
     /// Bytes of a number of sites, with lateral motion or without, and a number of steps.
     pub fn bytes(sites: usize, is_lateral: bool, steps: f64) -> f64 {
         let recorded = if is_lateral { RECORDED } else { 1.0 };

@@ -32,7 +32,8 @@ impl StringMemory {
         let of_method = |method| Self::of_method(sweep, setting, method, longest_time);
         let places = sweep.certifying.into_iter().flatten();
         let finer = places.filter_map(|place| methods.get(place)).map(|method| {
-            let setting = setting.sampled_at(finer_frequency(setting, method));
+            let setting = setting.by(method);
+            let setting = setting.sampled_at(finer_frequency(&setting, method));
             Self::of_method(sweep, &setting, method, longest_time)
         });
         (methods.iter().map(of_method).chain(finer)).fold(Self::default(), |all, one| Self {
@@ -43,6 +44,7 @@ impl StringMemory {
     }
 
     fn of_method(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
+        let setting = &setting.by(method);
         let mut own = Self::at_sites(sweep, setting, method, longest_time);
         if let Some(most) = with_most_sites(setting, method) {
             // A case is run again with a separate system, and its whole string is reconstructed.

@@ -13,8 +13,8 @@ use crate::words::short;
 pub struct CertifiedBy {
     /// Two methods that share no equation.
     pub methods: [String; 2],
-    /// The sampling frequencies of both, Hz; of the string as the file says it, where axes
-    /// change the string.
+    /// The sampling frequencies of both, Hz, the lower of both methods and the higher where these differ; of
+    /// the string as the file says it, where axes change the string.
     pub sampling_frequencies_hz: [f64; 2],
     /// The sampling frequency in place of the second, Hz, at which `held` takes steps of one piece
     /// of the lattice, where those are shorter; of the string as the file says it.
@@ -26,13 +26,17 @@ impl CertifiedBy {
     /// Of a sweep that does.
     pub fn of(sweep: &Sweep) -> Option<Self> {
         let places = sweep.certifying?;
-        let frequency = sweep.setting.sampling_frequency;
-        let finest = places.map(|place| finer_frequency(&sweep.setting, &sweep.methods[place]));
+        let settings = places.map(|place| sweep.setting.by(&sweep.methods[place]));
+        let [one, other] = settings
+            .each_ref()
+            .map(|setting| setting.sampling_frequency);
+        let (frequency, finer) = (one.min(other), FINER * one.max(other));
+        let finest = [0, 1].map(|it| finer_frequency(&settings[it], &sweep.methods[places[it]]));
         let finest = finest.into_iter().fold(0.0, f64::max);
         Some(Self {
             methods: places.map(|place| sweep.methods[place].name().to_owned()),
-            sampling_frequencies_hz: [frequency, FINER * frequency],
-            exact_fronts_hz: (finest > FINER * frequency).then_some(finest),
+            sampling_frequencies_hz: [frequency, finer],
+            exact_fronts_hz: (finest > finer).then_some(finest),
         })
     }
 

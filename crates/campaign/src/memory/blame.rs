@@ -113,6 +113,7 @@ fn usual_frequency(demand: &mut Demand) {
     for (setting, _) in &mut demand.strings {
         let usual = linear::sampling::frequency(&setting.string, FEWEST_STEPS);
         setting.sampling_frequency = setting.sampling_frequency.min(usual);
+        setting.whirl_rate = None;
     }
 }
 

@@ -181,7 +181,11 @@ impl<'a> Demand<'a> {
     /// What is done with the systems, when a case takes `case` bytes.
     fn use_of(&self, case: f64) -> Need {
         let (setting, longest) = &self.strings[0];
-        let steps = sim::plan::steps(*longest, setting.sampling_frequency);
+        let frequencies = self
+            .methods
+            .iter()
+            .map(|method| setting.frequency_by(method));
+        let steps = sim::plan::steps(*longest, frequencies.fold(0.0, f64::max));
         let sites = setting.sites.len();
         let methods = self.methods.len() as f64;
         let of_site = match setting.lateral {

@@ -15,6 +15,7 @@ impl Sweep {
             self.doubts_about_drive(),
             self.doubts_about_bit(),
             self.doubts_about_well().into_iter().collect(),
+            self.doubts_about_whirl().into_iter().collect(),
             self.data.doubts.clone(),
             sheet
                 .flat_map(|sheet| sheet.doubts(self.content.units, self.content.motor.is_some()))

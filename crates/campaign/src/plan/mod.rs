@@ -45,6 +45,7 @@ mod tools;
 mod top_drive;
 mod wall;
 mod well_course;
+mod whirl;
 
 pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};
@@ -63,3 +64,4 @@ pub use start::Starts;
 pub use string_friction::{StringFriction, is_in_pieces};
 pub use sweep::Sweep;
 pub use wall::WallSettings;
+pub use whirl::steps_of_turn;

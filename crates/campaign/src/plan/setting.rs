@@ -18,7 +18,7 @@ use super::lateral::{self, LateralSettings};
 use super::lying::{self, Lying};
 use super::motor;
 use super::string_friction::{self, StringFriction};
-use super::{axial_force, drive_limit, hole, sampling, sites, string, tools, top_drive};
+use super::{axial_force, drive_limit, hole, sampling, sites, string, tools, top_drive, whirl};
 use crate::design::Design;
 use crate::quantities::Axis;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
@@ -63,6 +63,8 @@ pub struct Setting {
     /// Its steps per travel time of a wave, where it follows from them; `None` where it is
     /// given.
     pub steps_per_travel: Option<f64>,
+    /// The greatest rate of whirl to expect in any case, turns a second; `None` without a wall.
+    pub whirl_rate: Option<f64>,
     /// How the surface turns, in parts of the speed of a case.
     pub profile: SurfaceProfile,
     /// Inertia of a rotor that is held at that speed at any torque, kg m².
@@ -239,11 +241,15 @@ impl Setting {
             let fastest = sampling::fastest_bit(&cut, motor);
             cutting.check_sampling(source, fastest, sampling_frequency)?;
         }
+        let whirl_rate = lateral.as_ref().map(|lateral| {
+            whirl::greatest_rate((&string, &sites, lateral), motor, (conditions, design))
+        });
         let setting = Self {
             string,
             sites,
             sampling_frequency,
             steps_per_travel,
+            whirl_rate,
             profile,
             rotor_inertia,
             drive_limit,

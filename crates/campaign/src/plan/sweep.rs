@@ -23,7 +23,7 @@ use crate::sweep_file::{
     TextOf, TraceName, put_sections,
 };
 use crate::text_file::read_text;
-use crate::words::in_words;
+use crate::words::{in_words, short};
 
 /// No case lasts longer, s.
 const LONGEST_CASE: f64 = 1e6;
@@ -232,6 +232,24 @@ impl Sweep {
         self.setting.frequency_by_rule(&self.circumstances())
     }
 
+    /// The highest sampling frequency of its methods, Hz.
+    pub fn highest_frequency(&self) -> f64 {
+        let of_each = self.methods.iter();
+        let of_each = of_each.map(|method| self.setting.frequency_by(method));
+        of_each.fold(0.0, f64::max)
+    }
+
+    /// The sampling frequencies of its methods in words.
+    pub fn frequencies_in_words(&self) -> String {
+        let base = self.setting.sampling_frequency;
+        let others = self.methods.iter().filter_map(|method| {
+            let own = self.setting.frequency_by(method);
+            (own > base).then(|| format!("{} Hz by {}", short(own), method.name()))
+        });
+        let all = std::iter::once(format!("{} Hz", short(base))).chain(others);
+        all.collect::<Vec<_>>().join(", ")
+    }
+
     /// The conditions of a case with the given values along the design's axes.
     pub fn conditions_at(&self, values: &[f64]) -> Conditions {
         self.conditions.along(self.design.axes(), values)
@@ -311,6 +329,7 @@ impl Sweep {
         let resolved = self.changed_setting(setting.changed.clone(), found)?;
         Ok(Setting {
             steps_per_travel: setting.steps_per_travel,
+            whirl_rate: setting.whirl_rate,
             ..resolved.sampled_at(setting.sampling_frequency)
         })
     }

@@ -105,6 +105,9 @@ pub struct Manifest {
 pub struct MethodRecord {
     /// Its name.
     pub method: String,
+    /// Its sampling frequency, Hz, where whirl needs a higher one than that of all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sampling_frequency_hz: Option<f64>,
     /// Taps per response.
     pub taps: usize,
     /// Positive-real margin in torsion, where a torque acts.
@@ -127,9 +130,11 @@ pub struct MethodRecord {
 }
 
 impl MethodRecord {
-    fn of(system: &MethodSystem) -> Self {
+    fn of(system: &MethodSystem, sweep: &Sweep) -> Self {
+        let own = sweep.setting.frequency_by(&system.method);
         Self {
             method: system.method.name().to_owned(),
+            sampling_frequency_hz: (own > sweep.setting.sampling_frequency).then_some(own),
             taps: system.torsion_taps(),
             positive_real_margin: system.torsion_margin,
             bending_margin: system.bending_margin,
@@ -173,7 +178,9 @@ impl Manifest {
             strings: sweep.design.strings(),
             shard: (!header.shard.is_whole()).then_some(header.shard),
             options,
-            methods: systems.iter().map(MethodRecord::of).collect(),
+            methods: (systems.iter())
+                .map(|system| MethodRecord::of(system, sweep))
+                .collect(),
             depends_on: Vec::new(),
             certified_by: CertifiedBy::of(sweep),
             forward_contact: ForwardContact::of(sweep)?,
@@ -200,7 +207,8 @@ impl Manifest {
     pub fn fingerprint(&self) -> Result<serde_json::Value> {
         let hashes = [&self.cases_sha256, &self.data_sha256].map(Option::as_deref);
         let by_rule = self.sampling_frequency_by_rule;
-        let by_rule = by_rule.then_some(self.sampling_frequency_hz);
+        let whirl = (self.methods.iter()).filter_map(|method| method.sampling_frequency_hz);
+        let by_rule = by_rule.then(|| (self.sampling_frequency_hz, whirl.collect()));
         fingerprint_of(&self.sweep, hashes, by_rule, self.options)
     }
 
@@ -262,7 +270,13 @@ impl Manifest {
 pub fn fingerprint(sweep: &Sweep, options: RunOptions) -> Result<serde_json::Value> {
     let hashes = [cases_hash(&sweep.design)?, data_hash(&sweep.data)?];
     let setting = &sweep.setting;
-    let by_rule = setting.steps_per_travel.map(|_| setting.sampling_frequency);
+    let base = setting.sampling_frequency;
+    let of_methods = sweep
+        .methods
+        .iter()
+        .map(|method| setting.frequency_by(method));
+    let whirl = of_methods.filter(|own| *own > base).collect();
+    let by_rule = setting.steps_per_travel.map(|_| (base, whirl));
     fingerprint_of(
         &sweep.content,
         hashes.each_ref().map(Option::as_deref),
@@ -274,7 +288,7 @@ pub fn fingerprint(sweep: &Sweep, options: RunOptions) -> Result<serde_json::Val
 fn fingerprint_of(
     content: &FileContent,
     hashes: [Option<&str>; 2],
-    frequency_by_rule: Option<f64>,
+    frequencies_by_rule: Option<(f64, Vec<f64>)>,
     options: RunOptions,
 ) -> Result<serde_json::Value> {
     let mut content = content.clone();
@@ -296,10 +310,14 @@ fn fingerprint_of(
             }
         }
         // An accuracy chooses another.
-        if let (Some(frequency), None) = (frequency_by_rule, content.accuracy) {
+        if let (Some((frequency, whirl)), None) = (frequencies_by_rule, content.accuracy) {
             // Another rule makes another run of the same file.
             let key = "sampling frequency by rule, Hz";
             table.insert(key.to_owned(), frequency.into());
+            if !whirl.is_empty() {
+                let key = "sampling frequencies by whirl, Hz";
+                table.insert(key.to_owned(), whirl.into());
+            }
         }
         for (option, is_given) in [
             ("--full", options.full),

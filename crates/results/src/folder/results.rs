@@ -12,7 +12,8 @@ use super::records::{RECORDS, RecordWriter};
 use super::tally::Tally;
 use crate::files::{AtomicFile, Checksum};
 use campaign::labels::LabelTable;
-use campaign::records::{Certainty, Record};
+use campaign::records::{Certainty, Record, to_turns};
+use sim::{Label, Outcome};
 
 /// Rows that all threads together format at once.
 const ROWS_AT_ONCE: usize = 1 << 12;
@@ -88,6 +89,12 @@ impl<'a> TableWriter<'a> {
             certainty,
         );
         (self.tally).add_margin(method, labels, record.above_limit);
+        let lateral = record.outcome.as_ref().ok().and_then(Outcome::lateral);
+        let whirl =
+            lateral.filter(|lateral| Label::Lateral(lateral.regime).is_sustained() == Some(true));
+        if let Some(whirl) = whirl {
+            (self.tally).add_whirl(method, to_turns(whirl.precession_rate));
+        }
         if let Some(found) = &record.found {
             (self.tally).add_found(method, [found.sites.len(), found.rounds]);
         }

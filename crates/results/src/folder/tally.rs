@@ -28,6 +28,9 @@ pub struct Tally {
     /// known.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub one_slip_estimate: BTreeMap<String, BeyondEstimate>,
+    /// The fastest whirl per method, turns a second, where any whirls.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub fastest_whirl_turns_per_s: BTreeMap<String, f64>,
     /// Rows without an answer.
     pub failed: usize,
     /// Settled rows that were followed to the end, and those of them whose label
@@ -116,6 +119,13 @@ impl Tally {
         found.most_sites = found.most_sites.max(sites);
         found.most_rounds = found.most_rounds.max(rounds);
         found.rounds += rounds;
+    }
+
+    /// Takes note of whirl by a method at a rate, turns a second.
+    pub fn add_whirl(&mut self, method: &str, rate: f64) {
+        let fastest = self.fastest_whirl_turns_per_s.entry(method.to_owned());
+        let fastest = fastest.or_insert(0.0);
+        *fastest = fastest.max(rate.abs());
     }
 
     /// Counts what a case is by a method: whether it failed, its labels, the label predicted

@@ -55,6 +55,7 @@
 mod balance;
 mod branches;
 mod contacts;
+mod expected;
 mod forward;
 mod forward_contacts;
 mod many_sites;
@@ -69,6 +70,7 @@ use linear::bending_decay::BendingDecay;
 use crate::laws::wall::Wall;
 use balance::Balance;
 pub use branches::MOST_FRICTION;
+pub use expected::expected_rate;
 pub use forward::{EccentricString, ForwardWhirl, LowestTouch};
 pub use forward_contacts::ForwardContacts;
 pub use many_sites::{SitesWhirl, WhirlingSites};

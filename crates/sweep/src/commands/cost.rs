@@ -158,7 +158,7 @@ pub fn of_built(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem], built:
 
 fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pace> {
     let setting = sweep.setting.for_labels();
-    let prepared = longest.min(STEPS / setting.sampling_frequency);
+    let prepared = longest.min(STEPS / sweep.highest_frequency());
     let start = Instant::now();
     let systems = Recipe::build_each(sweep, &setting, prepared, &[]);
     let systems = systems.into_iter().collect::<Result<_>>()?;
@@ -188,7 +188,7 @@ fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, options: RunOpti
     let start = Instant::now();
     let cases = sweep.design.cases();
     let count = cases.min(CASES_PER_THREAD * parallel::threads());
-    let most = prepared.min(STEPS / sweep.setting.sampling_frequency);
+    let most = prepared.min(STEPS / sweep.highest_frequency());
     let of_case = |index: usize| -> Option<f64> {
         if start.elapsed() > STEPPING {
             return None;

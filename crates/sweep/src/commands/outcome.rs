@@ -8,7 +8,8 @@ use anyhow::Result;
 
 use super::status::Status;
 use campaign::dependence::Dependence;
-use campaign::words::{counted, together, wrapped};
+use campaign::plan::steps_of_turn;
+use campaign::words::{counted, short, together, wrapped};
 use results::folder::{Manifest, Tally, TraceSummary};
 
 /// How a run that has these results ends.
@@ -62,6 +63,28 @@ fn certain(manifest: &Manifest) -> String {
     manifest.tally.motions().into_iter().map(words).collect()
 }
 
+/// Methods in whose steps the whirl that came out is too fast.
+fn damped_whirl(manifest: &Manifest) -> String {
+    let words = manifest.methods.iter().filter_map(|record| {
+        let (method, tally) = (&record.method, &manifest.tally);
+        let rate = tally.fastest_whirl_turns_per_s.get(method)?;
+        let own = record.sampling_frequency_hz;
+        let frequency = own.unwrap_or(manifest.sampling_frequency_hz);
+        let (steps, needed) = (frequency / rate, steps_of_turn(method));
+        (steps < needed).then(|| {
+            let words = format!(
+                "warning: {method}: whirl at {rate:.0} turns/s has {steps:.0} steps in a turn at {} Hz, and needs \
+                 {needed}: its force is too small, and whirl that lasts may be missed; \
+                 `sampling_frequency_hz = {:.0}` resolves it",
+                short(frequency),
+                (needed * rate).ceil(),
+            );
+            wrapped(&words, 2, 4)
+        })
+    });
+    words.collect()
+}
+
 /// Possible dependences of labels that were not examined.
 fn not_examined(manifest: &Manifest) -> String {
     let left_out = manifest.depends_on.iter().filter(|it| it.cases == 0);
@@ -78,7 +101,10 @@ fn not_examined(manifest: &Manifest) -> String {
 
 /// What labels depend on, by a sample of cases.
 fn depends_on(manifest: &Manifest) -> String {
-    let found = manifest.depends_on.iter().filter(|it| it.changed > 0);
+    let found = manifest
+        .depends_on
+        .iter()
+        .filter(|it| it.changed + it.other_whirl > 0);
     let words: Vec<String> = found.map(|it| it.words(&manifest.sweep)).collect();
     if words.is_empty() {
         return String::new();
@@ -144,6 +170,7 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     }
     text += &certain(manifest);
     text += &depends_on(manifest);
+    text += &damped_whirl(manifest);
     text += &not_examined(manifest);
     for words in manifest.tally.found_words() {
         text += &wrapped(&words, 2, 4);

@@ -198,7 +198,7 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
 fn why_long(explored: &Explored) -> Option<String> {
     let sweep = explored.sweep;
     let rubs = sweep.setting.friction.as_ref().map(why_rubbing_is_long);
-    let steps = explored.duration * sweep.setting.sampling_frequency;
+    let steps = explored.duration * sweep.highest_frequency();
     let is_long = sweep.setting.cutting.is_some() && steps > STEPS_OF_A_SECOND;
     let cuts = is_long.then(|| {
         format!(

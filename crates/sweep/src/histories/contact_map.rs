@@ -13,13 +13,19 @@ use plot::{Axis, BandChart, BandPanel, Bar, COLUMNS, Look, Picture, band_chart};
 pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -> Picture {
     let units = sweep.content.units;
     let [length, force] = [&LENGTH, &FORCE].map(|twin| units.of(twin));
-    let frequency = sweep.setting.sampling_frequency;
     let motions = simulations.iter().map(|simulation| &simulation.trajectory);
-    let steps = motions.map(|motion| motion.times.len()).max().unwrap_or(0);
-    let steps_a_bin = steps.div_ceil(COLUMNS).max(1);
-    let panels = simulations.iter().map(|simulation| BandPanel {
-        title: simulation.name.clone(),
-        rows: bars(&simulation.trajectory, frequency, steps_a_bin, &force),
+    let frequency = |motion: &Trajectory| motion.sampling_frequency().unwrap_or(1.0);
+    let ends = motions.map(|motion| motion.times.len() as f64 / frequency(motion));
+    let end = ends.fold(0.0, f64::max);
+    let bin = end / COLUMNS as f64;
+    let panels = simulations.iter().map(|simulation| {
+        let motion = &simulation.trajectory;
+        let frequency = frequency(motion);
+        let steps_a_bin = (bin * frequency * (1.0 - 1e-9)).ceil().max(1.0) as usize;
+        BandPanel {
+            title: simulation.name.clone(),
+            rows: bars(motion, frequency, steps_a_bin, &force),
+        }
     });
     let distances = sweep.setting.sites.distances_from_bit().iter();
     let rows = distances.map(|&distance| match distance {
@@ -27,7 +33,7 @@ pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -
         // To a centimetre, or as finely in another unit.
         _ => ((100.0 * length.number(distance)).round() / 100.0).to_string(),
     });
-    let bin = short(1e3 * steps_a_bin as f64 / frequency);
+    let bin = short(1e3 * bin);
     let chart = BandChart {
         title: format!("{}: contact with the wall", sweep.title),
         axes: [
@@ -35,7 +41,7 @@ pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -
             format!("Sites in order, above the bit ({})", length.name),
         ]
         .map(Axis::linear),
-        ends: [0.0, steps as f64 / frequency],
+        ends: [0.0, end],
         rows: rows.collect(),
         unit: force.name.clone(),
         kinds: ["full height: rolling", "low: sliding"].map(str::to_owned),

@@ -69,7 +69,7 @@ impl Vibration {
         }
         let speeds = motion.speeds.last()?;
         let from = ((1.0 - END) * speeds.len() as f64) as usize;
-        Self::of(&speeds[from..], sweep.setting.sampling_frequency)
+        Self::of(&speeds[from..], motion.sampling_frequency()?)
     }
 
     /// In words, of a bit of a radius, m.

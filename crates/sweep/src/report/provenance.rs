@@ -101,7 +101,11 @@ pub fn provenance(all: &[Results]) -> Vec<Block> {
         } else {
             "as given"
         };
-        format!("{frequency} Hz, {why}")
+        let of_methods = results.manifest.methods.iter().filter_map(|method| {
+            let own = short(method.sampling_frequency_hz?);
+            Some(format!(", {own} Hz by {} for whirl", method.method))
+        });
+        format!("{frequency} Hz, {why}{}", of_methods.collect::<String>())
     });
     row("simulated", &|results| {
         let until = if results.manifest.options.full {

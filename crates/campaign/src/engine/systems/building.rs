@@ -1,5 +1,7 @@
 //! Building the linear system of a method, for one string or after another's.
 
+use std::borrow::Cow;
+
 use anyhow::{Context, Result, bail};
 use linear::estimates::largest_undershoot;
 use linear::{
@@ -20,13 +22,13 @@ use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 /// What the linear system of a method is built from. There is no other way to build one but
 /// [`MethodSystem::of`], of responses that are there already.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Recipe<'a> {
     /// The sweep whose cases it is for: what its impulses and measures need is checked and built,
     /// too.
     pub sweep: Option<&'a Sweep>,
-    /// The string, its sites and how it is sampled.
-    pub setting: &'a Setting,
+    /// The string, its sites and how it is sampled by the method.
+    pub setting: Cow<'a, Setting>,
     /// By which method.
     pub method: Method,
     /// Whether a torque acts on the bit.
@@ -66,7 +68,7 @@ impl<'a> Recipe<'a> {
     pub fn alone(setting: &'a Setting, method: Method, cuts: bool, longest_time: f64) -> Self {
         Self {
             sweep: None,
-            setting,
+            setting: setting.by(&method),
             method,
             cuts,
             longest_time,
@@ -159,7 +161,7 @@ impl<'a> Recipe<'a> {
 
     fn plan(&self) -> SystemPlan<'_> {
         SystemPlan {
-            setting: self.setting,
+            setting: &self.setting,
             method: &self.method,
             cuts: self.cuts,
             longest_time: self.longest_time,
@@ -170,7 +172,7 @@ impl<'a> Recipe<'a> {
     fn build_alone(&self) -> Result<MethodSystem> {
         let start = Stopwatch::start();
         let plan = self.plan();
-        let (setting, longest_time) = (self.setting, self.longest_time);
+        let (setting, longest_time) = (self.setting.as_ref(), self.longest_time);
         if let Some((lateral, parameters)) = stepped_by(setting, &self.method) {
             let budget = within(|budget| dry_run::ask(&plan, budget))?;
             let (responses, simulator) =

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::rows::row;
 use campaign::engine::{MethodSystem, is_unstable};
+use campaign::plan::steps_of_turn;
 use campaign::quantities::{IMPULSE, TORQUE, Unit, Units};
 use campaign::words::{counted, short};
 
@@ -12,6 +13,9 @@ use campaign::words::{counted, short};
 #[derive(Serialize)]
 pub struct InspectedMethod {
     method: &'static str,
+    sampling_frequency_hz: f64,
+    /// Steps in a turn of the fastest whirl to expect, with a wall.
+    steps_of_whirl: Option<f64>,
     /// Steps of its response.
     taps: usize,
     response_s: f64,
@@ -43,6 +47,8 @@ impl InspectedMethod {
     pub fn of(system: &MethodSystem) -> Self {
         Self {
             method: system.method.name(),
+            sampling_frequency_hz: system.responses.sampling_frequency,
+            steps_of_whirl: system.setting.steps_of_whirl(&system.method),
             taps: system.torsion_taps(),
             response_s: system.torsion_taps() as f64 / system.responses.sampling_frequency,
             build_s: system.build_seconds,
@@ -70,6 +76,16 @@ impl InspectedMethod {
             self.response_s,
             self.build_s,
         );
+        if let Some(steps) = self.steps_of_whirl {
+            let frequency = self.sampling_frequency_hz;
+            let value = format!(
+                "{steps:.0} steps at {} Hz, of {} that it needs",
+                short(frequency),
+                steps_of_turn(self.method)
+            );
+            let title = format!("a turn of whirl, {:.0} a second at most", frequency / steps);
+            text += &row(4, &title, &value);
+        }
         if let Some(at_bit) = &self.at_bit {
             for (title, value) in [
                 ("A(0) at the bit", at_bit.first_response_rad_s_per_nm),

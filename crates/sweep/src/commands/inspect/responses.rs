@@ -8,7 +8,7 @@ use linear::waves::network::TorsionNetwork;
 use linear::{DrillstringError, Sites};
 
 use campaign::engine::MethodSystem;
-use campaign::plan::{LateralSettings, Sweep};
+use campaign::plan::{LateralSettings, Setting, Sweep};
 use campaign::quantities::{FORCE, IMPULSE, LENGTH, TORQUE, Unit};
 use campaign::words::site_title;
 use plot::{Axis, Look, Panel, Picture, Series, method_style, panels};
@@ -34,7 +34,11 @@ pub fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Pa
         frequency_panel(sweep)?,
         time_panel("t", "Bit speed / surface speed", systems, &|system| {
             let torsion = system.responses.torsion()?;
-            Some(step_response(torsion.from_surface.last()?, 1.0, sweep))
+            Some(step_response(
+                torsion.from_surface.last()?,
+                1.0,
+                &system.setting,
+            ))
         }),
     ];
     if sweep.bit.is_some() {
@@ -42,7 +46,11 @@ pub fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Pa
         let label = format!("Bit speed / torque (10⁻⁵ {})", unit.name);
         let factor = unit.number(1e5);
         list.push(time_panel("t", &label, systems, &|system| {
-            Some(step_response(system.driving_point()?, factor, sweep))
+            Some(step_response(
+                system.driving_point()?,
+                factor,
+                &system.setting,
+            ))
         }));
     }
     if let Some(lateral) = &sweep.setting.lateral {
@@ -60,7 +68,7 @@ pub fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Pa
             systems,
             &|system| {
                 let taps = system.responses.bending()?.taps_between(bit, bit)?;
-                Some(impulse_response(taps, factor, sweep))
+                Some(impulse_response(taps, factor, &system.setting))
             },
         ));
     }
@@ -144,20 +152,20 @@ fn exact_panel(label: &str, sweep: &Sweep, response: &dyn Fn(f64) -> f64) -> Pan
 }
 
 /// The response to a unit step, times `factor`.
-fn step_response(taps: &[f64], factor: f64, sweep: &Sweep) -> Curve {
+fn step_response(taps: &[f64], factor: f64, setting: &Setting) -> Curve {
     let mut sum = 0.0;
-    (0..sweep.setting.steps_shown())
+    (0..setting.steps_shown())
         .map(|index| {
             sum += taps.get(index).copied().unwrap_or(0.0);
-            let time = index as f64 / sweep.setting.sampling_frequency;
+            let time = index as f64 / setting.sampling_frequency;
             (time, factor * sum)
         })
         .collect()
 }
 
 /// The response to a unit impulse, times `factor`.
-fn impulse_response(taps: &[f64], factor: f64, sweep: &Sweep) -> Curve {
-    let frequency = sweep.setting.sampling_frequency;
+fn impulse_response(taps: &[f64], factor: f64, setting: &Setting) -> Curve {
+    let frequency = setting.sampling_frequency;
     (taps.iter().enumerate())
         .map(|(index, tap)| (index as f64 / frequency, factor * frequency * tap))
         .collect()

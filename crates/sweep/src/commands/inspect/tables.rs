@@ -37,6 +37,8 @@ struct Between {
 /// A response by a method.
 struct Known<'a> {
     method: &'a str,
+    /// Of the method, Hz.
+    sampling_frequency: f64,
     between: Between,
     taps: &'a [f64],
     /// Whether they are all there is of it.
@@ -69,6 +71,7 @@ fn known(system: &MethodSystem) -> Vec<Known<'_>> {
         let mut add = |from, to, taps| {
             all.push(Known {
                 method: system.method.name(),
+                sampling_frequency: system.responses.sampling_frequency,
                 between: Between {
                     channel: block.channel,
                     from,
@@ -91,13 +94,12 @@ fn known(system: &MethodSystem) -> Vec<Known<'_>> {
 }
 
 fn write_taps(sweep: &Sweep, responses: &[Known], path: &Path) -> Result<()> {
-    let frequency = sweep.setting.sampling_frequency;
     let mut file = AtomicFile::create(path)?;
     file.write(TAPS.as_bytes())?;
     for response in responses {
         let start = first_columns(sweep, response.method, response.between);
         let rows = response.taps.iter().enumerate().map(|(index, tap)| {
-            let time = index as f64 / frequency;
+            let time = index as f64 / response.sampling_frequency;
             format!("{start},{index},{time},{tap}\n")
         });
         file.write(rows.collect::<String>().as_bytes())?;
@@ -127,7 +129,10 @@ fn write_frequency_responses(sweep: &Sweep, responses: &[Known], path: &Path) ->
     }
     for response in responses.iter().filter(|it| it.is_whole) {
         let values = parallel::map(frequencies.len(), 1, |place| {
-            of_taps(response.taps, frequencies[place] / sampling)
+            of_taps(
+                response.taps,
+                frequencies[place] / response.sampling_frequency,
+            )
         });
         write(response.method, response.between, &values)?;
     }

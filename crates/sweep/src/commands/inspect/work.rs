@@ -121,7 +121,8 @@ pub fn left_out(sweep: &Sweep) -> Vec<&'static str> {
 /// speed.
 fn history_terms(sweep: &Sweep, survey: &Survey, system: &MethodSystem) -> f64 {
     let cases = sweep.design.likely_cases() as f64;
-    let steps = survey.simulated / sweep.design.cases() as f64 * sweep.setting.sampling_frequency;
+    let mean = survey.simulated / sweep.design.cases() as f64;
+    let steps = mean * system.setting.sampling_frequency;
     let terms = |taps: usize| {
         let reach = steps.min(taps as f64);
         cases * reach * (steps - 0.5 * reach)

@@ -119,6 +119,12 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
         }
         file.write(format!("{line}\n").as_bytes())?;
     }
+    let of_parts = parts
+        .iter()
+        .map(|part| &part.manifest.tally.fastest_whirl_turns_per_s);
+    for (method, rate) in of_parts.flatten() {
+        tally.add_whirl(method, *rate);
+    }
     let expected: usize = parts.iter().map(|part| part.manifest.tally.rows).sum();
     if tally.rows != expected {
         bail!(

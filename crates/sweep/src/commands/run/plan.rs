@@ -252,20 +252,19 @@ fn simulated(task: &Task) -> f64 {
 
 fn times(task: &Task) -> String {
     let (sweep, survey) = (&task.campaign.sweep, &task.survey);
-    let frequency = sweep.setting.sampling_frequency;
     let certifying = sweep.certifying.map_or_else(String::new, |places| {
         let [one, other] = places.map(|place| {
             let method = &sweep.methods[place];
-            let finer = short(finer_frequency(&sweep.setting, method));
+            let finer = short(finer_frequency(&sweep.setting.by(method), method));
             format!("{} at {finer} Hz", method.name())
         });
         format!(", and by {one} and {other}, to certify labels")
     });
     let words = format!(
-        "simulated time {} s for each method, the longest case {} s, at {} Hz{certifying}",
+        "simulated time {} s for each method, the longest case {} s, at {}{certifying}",
         short(simulated(task)),
         short(survey.longest),
-        short(frequency)
+        sweep.frequencies_in_words()
     );
     wrapped(&words, 0, 2)
 }
