@@ -48,6 +48,88 @@ fn a_bit_below_a_motor_turns_by_its_chart() {
     }
 }
 
+/// 150 N m for each kN of weight: a motor of 10 kN m stalls from 66.7 kN on.
+const ROCK: &str = "rock = \"table\"\ntable_kn_nm = [[0, 0], [200, 30000]]\n";
+
+/// A motor that a bit of 150 N m per kN stalls from 10 000/150 kN on: cases, map, window, report and
+/// `inspect` say so, and a stalled one that turns smoothly is not safe.
+#[test]
+fn a_motor_stalls_from_the_weight_at_which_the_bit_takes_its_stall_torque() {
+    let design = "[design]\nkind = \"grid\"\n[design.axes]\n\
+                  surface_speed_rpm = { values = [120, 160] }\n\
+                  weight_on_bit_kn = { values = [40, 60, 80] }\n";
+    let text = small_with_design(&format!("{MOTOR}{design}"));
+    let text = with(&text, "rock = \"sandstone\"\n", ROCK);
+    let place = Workplace::with_small(&text);
+    let said = done(&place, &["run", "small.toml", "--out", "out"]);
+    let names = [
+        "weight_on_bit_kn",
+        "torsion",
+        "motor_stalled",
+        "motor_stalled_fraction",
+    ];
+    let rows = columns(&place, "out/labels.csv", names);
+    assert_eq!(rows.len(), 6);
+    for [weight, label, stalled, part] in &rows {
+        let stalls = number(weight) > 1e4 / 150.0;
+        assert_eq!(label, "smooth");
+        assert_eq!(stalled, if stalls { "true" } else { "false" });
+        assert_eq!(number(part), f64::from(stalls));
+    }
+    let sentence = "the mud motor stalls in 2 of 6 cases, 2 of them smooth";
+    assert!(said.replace("\n    ", " ").contains(sentence), "{said}");
+    for row in columns(&place, "out/boundary.csv", ["limit", "weight_on_bit_kn"]) {
+        let [limit, weight] = row;
+        assert_eq!(limit, "motor_stall");
+        assert!((number(&weight) - 1e4 / 150.0).abs() < 1e-6, "{weight}");
+    }
+    let said = done(
+        &place,
+        &["inspect", "small.toml", "--out", "seen", "--json"],
+    );
+    let found: serde_json::Value = serde_json::from_str(&said).unwrap();
+    let from = found["motor"]["stalls_from_kn"][0].as_f64().unwrap();
+    assert!((from - 1e4 / 150.0).abs() < 1e-6, "{from}");
+    done(&place, &["window", "small.toml", "out"]);
+    let names = ["weight_on_bit_kn_to", "standing"];
+    for [weight, standing] in columns(&place, "out/window.csv", names) {
+        let may_be_safe = number(&weight) < 1e4 / 150.0;
+        assert!(
+            may_be_safe || !standing.starts_with("safe"),
+            "{weight} {standing}"
+        );
+    }
+}
+
+/// A torque that falls with the bit's speed stalls the motor from the weight on at which it is the stall
+/// torque where the rotor is about to stall: 10 kN m = 150 W (1 + 0.2 e^(−(Ω + 80)/100)).
+#[test]
+fn a_falling_torque_stalls_the_motor_by_the_speed_that_the_bit_has_left() {
+    let design = "[design]\nkind = \"grid\"\n[design.axes]\n\
+                  surface_speed_rpm = { values = [40, 160] }\n\
+                  weight_on_bit_kn = { values = [40, 80] }\n";
+    let text = small_with_design(&format!("{MOTOR}{design}"));
+    let text = with(&text, "rock = \"sandstone\"\n", ROCK);
+    let text = with(
+        &text,
+        "torque_static_ratio = 1.2\n",
+        "torque_static_ratio = 1.2\ntorque_decay_rpm = 100\n",
+    );
+    let place = Workplace::with_small(&text);
+    done(&place, &["run", "small.toml", "--out", "out"]);
+    let names = ["limit", "surface_speed_rpm", "weight_on_bit_kn"];
+    let rows = columns(&place, "out/boundary.csv", names);
+    assert!(rows.len() > 2);
+    for [limit, speed, weight] in rows {
+        let falling = 1.0 + 0.2 * (-(number(&speed) + 80.0) / 100.0).exp();
+        assert_eq!(limit, "motor_stall");
+        assert!(
+            (number(&weight) * 150.0 * falling - 1e4).abs() < 1e-3,
+            "{speed} {weight}"
+        );
+    }
+}
+
 /// However it chatters, the bit is faster than the surface by the chart in the mean.
 #[test]
 fn a_bit_that_cuts_below_a_motor_turns_by_its_chart_in_the_mean() {

@@ -11,8 +11,9 @@ use linear::estimates::largest_undershoot;
 use linear::falling_torque::{highest_frequency, steepest_fall};
 
 use crate::axes::{position, range_of_axis};
-use crate::lying_limit::{LyingPoint, lying_points};
+use crate::lying_limit::{LyingLimit, LyingPoint, lying_points};
 use crate::many_sites_limit::many_sites_limit;
+use crate::motor_stall::motor_stall_points;
 use crate::sliding_together::sliding_together;
 use crate::steady_drilling::steady_drilling_points;
 use crate::torsion_limit::{StickSlipPoint, TorsionLimit, WAVES};
@@ -52,7 +53,8 @@ pub enum BoundaryError {
 /// The limit over the range of the design's axes: of whirl where friction at every site is
 /// one of them, or of a string that lies in its hole; else of stick-slip; without points where
 /// neither applies, below a motor or a drive whose torque is limited, which have no such limit in
-/// closed form unless the bit cuts, or where other axes give each case its own.
+/// closed form unless the bit cuts, or where other axes give each case its own. Below a motor the
+/// weight or torque at which that stalls comes with them, but for limits of whirl.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
@@ -64,10 +66,22 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
     let lies = sweep.setting.lying.is_some() && is_of_wall;
     let is_pushed = position(sweep, |axis| axis == Axis::WeightOnBitKn).is_some();
     if lies || (is_pushed && sweep.setting.hanging.is_some() && !has_friction) {
-        return Ok(Boundary::Lying(lying_points(sweep)));
+        let mut points = lying_points(sweep);
+        points.extend(
+            motor_stall_points(sweep)
+                .into_iter()
+                .map(|point| LyingPoint {
+                    limit: LyingLimit::MotorStall,
+                    swing: None,
+                    friction: None,
+                    weight_on_bit_kn: point.weight_on_bit_kn,
+                    surface_speed_rpm: Some(point.surface_speed_rpm),
+                }),
+        );
+        return Ok(Boundary::Lying(points));
     }
     if !is_one_limit(sweep) {
-        return Ok(Boundary::StickSlip(Vec::new()));
+        return Ok(Boundary::StickSlip(motor_stall_points(sweep)));
     }
     if let (Some(lateral), true) = (sweep.setting.whirling_with_string(), has_friction) {
         // So has every wall.
@@ -80,11 +94,13 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
     }
     if let (Some(bit), Some(_)) = (&sweep.bit, &sweep.setting.cutting) {
         let rubs = sweep.setting.friction.is_some();
-        return Ok(Boundary::StickSlip(match rubs {
+        let mut points = match rubs {
             false => steady_drilling_points(sweep, bit),
             // Friction along the string is not linear.
             true => Vec::new(),
-        }));
+        };
+        points.extend(motor_stall_points(sweep));
+        return Ok(Boundary::StickSlip(points));
     }
     let is_torque = |axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     let has_limit = sweep.setting.has_stick_slip_limit();
@@ -92,7 +108,7 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
         (Some(bit), Some(position)) => {
             limit_of_methods(sweep, systems, bit, position).map(Boundary::StickSlip)
         }
-        _ => Ok(Boundary::StickSlip(Vec::new())),
+        _ => Ok(Boundary::StickSlip(motor_stall_points(sweep))),
     }
 }
 

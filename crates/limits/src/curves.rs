@@ -3,7 +3,7 @@
 
 use crate::boundary::Boundary;
 use crate::lying_limit::{LyingLimit, LyingPoint};
-use crate::torsion_limit::{StickSlipPoint, TorsionLimit};
+use crate::torsion_limit::{MOTOR_STALLS, StickSlipPoint, TorsionLimit};
 use crate::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
 use campaign::quantities::{Axis, LENGTH, Units};
 use campaign::words::short;
@@ -90,6 +90,7 @@ fn lying_curves(points: &[LyingPoint], axes: &[Axis]) -> Vec<Curve> {
                 let other = axes.iter().find(is_other).copied();
                 [other.unwrap_or(Axis::FRICTION), Axis::WeightOnBitKn]
             }
+            LyingLimit::MotorStall => [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn],
             _ if on_weight => [Axis::WeightOnBitKn, Axis::SurfaceSpeedRpm],
             _ => [Axis::FRICTION, Axis::SurfaceSpeedRpm],
         };
@@ -100,7 +101,10 @@ fn lying_curves(points: &[LyingPoint], axes: &[Axis]) -> Vec<Curve> {
         Curve {
             name: limit.words().to_owned(),
             method: None,
-            motion: Motion::Lateral,
+            motion: match limit {
+                LyingLimit::MotorStall => Motion::Torsion,
+                _ => Motion::Lateral,
+            },
             along,
             limited,
             pieces: pieces.collect(),
@@ -119,34 +123,54 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
     } else {
         Axis::TorqueDynamicNm
     };
-    if points
-        .iter()
-        .any(|point| point.limit == TorsionLimit::SteadyDrilling)
-    {
-        return vec![steady_drilling_curve(points)];
-    }
-    let methods = points.chunk_by(|one, next| one.method == next.method);
+    let methods =
+        points.chunk_by(|one, next| (one.limit, &one.method) == (next.limit, &next.method));
     methods
-        .map(|points| Curve {
-            name: match points[0].limit {
-                TorsionLimit::StickSlip => {
-                    format!("one-slip estimate (Eq. 74), {}", points[0].method)
-                }
-                TorsionLimit::SmoothRotation => SMOOTH_ROTATION.to_owned(),
-                TorsionLimit::SteadyDrilling => STEADY_DRILLING.to_owned(),
-            },
-            method: (points[0].limit == TorsionLimit::StickSlip).then(|| points[0].method.clone()),
-            motion: Motion::Torsion,
-            along,
-            limited: Axis::SurfaceSpeedRpm,
-            pieces: vec![
-                (points.iter())
-                    .filter_map(|point| Some([point.along(along)?, point.surface_speed_rpm]))
-                    .collect(),
-            ],
-            is_least: true,
+        .map(|points| match points[0].limit {
+            TorsionLimit::StickSlip => {
+                let name = format!("one-slip estimate (Eq. 74), {}", points[0].method);
+                let method = Some(points[0].method.clone());
+                speed_limit_curve(name, method, (points, along))
+            }
+            TorsionLimit::SmoothRotation => {
+                speed_limit_curve(SMOOTH_ROTATION.to_owned(), None, (points, along))
+            }
+            TorsionLimit::SteadyDrilling => steady_drilling_curve(points),
+            TorsionLimit::MotorStall => motor_stall_curve(points, along),
         })
         .collect()
+}
+
+/// A limit of the surface speed along the weight on bit or the torque.
+fn speed_limit_curve(
+    name: String,
+    method: Option<String>,
+    (points, along): (&[StickSlipPoint], Axis),
+) -> Curve {
+    let place = |point: &StickSlipPoint| Some([point.along(along)?, point.surface_speed_rpm]);
+    Curve {
+        name,
+        method,
+        motion: Motion::Torsion,
+        along,
+        limited: Axis::SurfaceSpeedRpm,
+        pieces: vec![points.iter().filter_map(place).collect()],
+        is_least: true,
+    }
+}
+
+/// Where a mud motor stalls: a limit of the weight on bit or the torque, over the surface speed.
+fn motor_stall_curve(points: &[StickSlipPoint], limited: Axis) -> Curve {
+    let place = |point: &StickSlipPoint| Some([point.surface_speed_rpm, point.along(limited)?]);
+    Curve {
+        name: MOTOR_STALLS.to_owned(),
+        method: None,
+        motion: Motion::Torsion,
+        along: Axis::SurfaceSpeedRpm,
+        limited,
+        pieces: vec![points.iter().filter_map(place).collect()],
+        is_least: true,
+    }
 }
 
 /// Where steady drilling is about to grow: a piece as long as the weight grows.

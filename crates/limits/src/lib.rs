@@ -51,6 +51,7 @@ mod forward_contact;
 mod growing_roots;
 mod lying_limit;
 mod many_sites_limit;
+mod motor_stall;
 mod sliding_together;
 mod steady_drilling;
 mod torsion_limit;
@@ -67,6 +68,7 @@ pub use forward_contact::ForwardContact;
 pub use growing_roots::{DrillingPoint, drilling_points};
 pub use lying_limit::{LyingLimit, LyingPoint};
 pub use many_sites_limit::{MOST_SITES, many_sites_limit};
+pub use motor_stall::motor_stalls;
 pub use torsion_limit::{StickSlipPoint, TorsionLimit};
 pub use whirl_limit::{
     WhirlMotion, WhirlPoint, rolling_bound, rolling_envelope, rolling_whirls, whirl_from,

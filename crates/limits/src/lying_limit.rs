@@ -9,6 +9,7 @@ use statics::closed_forms::climb;
 use statics::{ContactState, StaticState};
 
 use crate::axes::{position, range_of_axis};
+use crate::torsion_limit::MOTOR_STALLS;
 use campaign::plan::{Conditions, LateralSettings, Setting, Sweep};
 use campaign::quantities::Axis;
 use campaign::records::to_rpm;
@@ -39,6 +40,8 @@ pub enum LyingLimit {
     /// From this speed on every part, by itself, rolls all round without slip: sufficient for all
     /// of it to roll on once it does.
     RollsAllRound,
+    /// From this weight on bit on the mud motor above the bit stalls.
+    MotorStall,
 }
 
 impl LyingLimit {
@@ -49,6 +52,7 @@ impl LyingLimit {
             LyingLimit::Swing => "swing",
             LyingLimit::GoesRound => "goes_round",
             LyingLimit::RollsAllRound => "rolls_all_round",
+            LyingLimit::MotorStall => "motor_stall",
         }
     }
 
@@ -61,6 +65,7 @@ impl LyingLimit {
             LyingLimit::RollsAllRound => {
                 "once it rolls, every part by itself does so all round (sufficient)"
             }
+            LyingLimit::MotorStall => MOTOR_STALLS,
         }
     }
 }

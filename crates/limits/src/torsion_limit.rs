@@ -6,6 +6,9 @@ use serde::Deserialize;
 /// What limits of small motion are computed by.
 pub(crate) const WAVES: &str = "waves";
 
+/// The limit of a mud motor in legends.
+pub(crate) const MOTOR_STALLS: &str = "the mud motor stalls from here on";
+
 /// Which limit of torsion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -19,6 +22,8 @@ pub enum TorsionLimit {
     SmoothRotation,
     /// Where steady drilling with blades that cut what they leave is about to grow.
     SteadyDrilling,
+    /// From this weight or torque on the mud motor above the bit stalls in steady rotation.
+    MotorStall,
 }
 
 impl TorsionLimit {
@@ -28,6 +33,7 @@ impl TorsionLimit {
             TorsionLimit::StickSlip => "stick_slip",
             TorsionLimit::SmoothRotation => "smooth_rotation",
             TorsionLimit::SteadyDrilling => "steady_drilling",
+            TorsionLimit::MotorStall => "motor_stall",
         }
     }
 }
@@ -39,9 +45,10 @@ pub struct StickSlipPoint {
     pub weight_on_bit_kn: Option<f64>,
     /// T_d, N m.
     pub torque_dynamic_nm: f64,
-    /// The limit, rpm.
+    /// The limit, rpm; of a motor that stalls, where the limit is the weight or the torque, the speed
+    /// at which it is that.
     pub surface_speed_rpm: f64,
-    /// The method whose Δ is used; of smooth rotation, the exact waves.
+    /// The method whose Δ is used; of smooth rotation, the exact waves; of a motor, its chart.
     pub method: String,
     /// Which limit; of earlier versions, that of stick-slip.
     #[serde(default)]

@@ -43,6 +43,7 @@ impl Outcome {
                 ("period_s", torsion.period),
                 ("slip_time_s", torsion.slip_time),
                 ("severity", torsion.severity),
+                ("motor_stalled_fraction", torsion.motor_stalled_fraction),
             ];
             for (name, value) in optional {
                 if let Some(value) = value {

@@ -10,7 +10,7 @@ use crate::records::{
 use crate::sweep_file::StartName;
 
 /// Groups before the columns of what cases are held against, and those after.
-const BEFORE_MISFITS: [Group; 7] = [
+const BEFORE_MISFITS: [Group; 8] = [
     Group::Always,
     Group::Cutting,
     Group::Lying,
@@ -18,6 +18,7 @@ const BEFORE_MISFITS: [Group; 7] = [
     Group::Stress,
     Group::Surface,
     Group::String,
+    Group::Motor,
 ];
 const AFTER_MISFITS: [Group; 3] = [Group::Certificate, Group::Starts, Group::Found];
 
@@ -41,6 +42,8 @@ pub struct LabelTable<'a> {
     pub shows_surface: bool,
     /// Whether the torque along the string is followed.
     pub shows_string_torque: bool,
+    /// Whether the bit turns below a mud motor.
+    pub shows_motor: bool,
     /// Columns of what cases are held against.
     pub misfits: Vec<&'a str>,
     /// The places of the methods that certify labels, where any do.
@@ -64,6 +67,7 @@ impl<'a> LabelTable<'a> {
             shows_stress: sweep.content.measures_stress(),
             shows_surface: shows_surface(sweep),
             shows_string_torque: shows_string_torque(sweep),
+            shows_motor: sweep.setting.motor.is_some(),
             misfits: (sweep.data.comparisons.iter())
                 .map(|comparison| comparison.column.as_str())
                 .collect(),
@@ -83,6 +87,7 @@ impl<'a> LabelTable<'a> {
             Group::Stress => self.shows_stress,
             Group::Surface => self.shows_surface,
             Group::String => self.shows_string_torque,
+            Group::Motor => self.shows_motor,
             Group::Certificate => self.certifying.is_some(),
             Group::Starts => self.shows_starts,
             Group::Found => self.shows_found,

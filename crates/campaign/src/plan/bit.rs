@@ -17,6 +17,9 @@ pub struct Bit {
     pub rock: Option<Rock>,
 }
 
+/// A weight on bit beyond that of any well, kN.
+const MOST_WEIGHT_KN: f64 = 2e3;
+
 /// Why a rock gives no torque for a weight on bit.
 #[derive(Debug, Error)]
 #[non_exhaustive]
@@ -59,6 +62,19 @@ impl Bit {
             (Some(table), _) => consistent(&table).map(Some),
             (None, Some(Rock::Law(law))) => Ok(Some(*law)),
             _ => Ok(None),
+        }
+    }
+
+    /// The least and the greatest weight on bit (kN) that its rock has a torque for, where it has a rock.
+    pub fn weights_kn(&self) -> Option<[f64; 2]> {
+        match self.rock.as_ref()? {
+            Rock::Table(rows) => {
+                let [first, .., last] = &rows[..] else {
+                    return None;
+                };
+                Some([first, last].map(|row| 1e-3 * row.0))
+            }
+            _ => Some([0.0, MOST_WEIGHT_KN]),
         }
     }
 

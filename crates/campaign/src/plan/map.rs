@@ -111,6 +111,7 @@ fn is_measured(
             content.measures_stress(),
             "bending and stress: `[wall] stress_every_m`",
         ),
+        Needs::Motor => (content.motor.is_some(), "a mud motor: `[motor]`"),
         Needs::SurfaceTorque => (
             content.surface_torque || content.follows_surface(),
             "the torque at the surface: `surface_torque = true`",

@@ -29,6 +29,8 @@ pub enum Group {
     Surface,
     /// The greatest torque along the string, where that is followed.
     String,
+    /// A mud motor above the bit.
+    Motor,
     /// What is certain, where labels are certified: what the method says by shorter steps, as far
     /// as it matters to that, and whether the labels of the row are certain.
     Certificate,
@@ -58,6 +60,8 @@ pub enum Needs {
     Shocks,
     /// Bending and stress.
     Stress,
+    /// A mud motor above the bit.
+    Motor,
 }
 
 /// A column of results.
@@ -176,6 +180,7 @@ impl ResultColumn {
             (Group::Lying, _) => Some(Needs::Lying),
             (Group::Shocks, _) => Some(Needs::Shocks),
             (Group::Stress, _) => Some(Needs::Stress),
+            (Group::Motor, _) => Some(Needs::Motor),
             (_, Some(Motion::Torsion)) => Some(Needs::Bit),
             (_, Some(Motion::Lateral)) => Some(Needs::Wall),
             (_, Some(Motion::Axial)) => Some(Needs::Cutting),
@@ -201,6 +206,16 @@ impl<'a> RecordRow<'a> {
 
     pub(super) fn torsion(&self) -> Option<TorsionMeasures> {
         self.outcome.and_then(Outcome::torsion)
+    }
+
+    pub(super) fn motor_stalled_fraction(&self) -> Option<f64> {
+        self.torsion()
+            .and_then(|torsion| torsion.motor_stalled_fraction)
+    }
+
+    /// Whether the mud motor stalls in the closing window, where there is one.
+    pub fn motor_stalled(&self) -> Option<bool> {
+        self.motor_stalled_fraction().map(|part| part > 0.0)
     }
 
     pub(super) fn lateral(&self) -> Option<LateralMeasures> {

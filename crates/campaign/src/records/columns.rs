@@ -23,7 +23,7 @@ pub fn is_of_results(name: &str) -> bool {
 }
 
 /// All columns of results, in their order. Those of what cases are held against, which a sweep
-/// names itself, follow [`Group::String`].
+/// names itself, follow [`Group::Motor`].
 pub static COLUMNS: &[ResultColumn] = &[
     text("torsion", "Torsion", |row| row.label(Motion::Torsion)).of(Motion::Torsion),
     text("lateral", "Lateral motion", |row| {
@@ -436,6 +436,22 @@ pub static COLUMNS: &[ResultColumn] = &[
         |row| row.string_torque().map(|it| it.from_bit).into(),
     )
     .group(Group::String),
+    flag(
+        MOTOR_STALLED,
+        "Mud motor stalls in the closing window",
+        |row| row.motor_stalled().into(),
+    )
+    .of(Motion::Torsion)
+    .group(Group::Motor),
+    number(
+        "motor_stalled_fraction",
+        "",
+        "Share of the closing window in which the mud motor stalls",
+        |row| row.motor_stalled_fraction().into(),
+    )
+    .of(Motion::Torsion)
+    .group(Group::Motor)
+    .measure(),
     text("finer_torsion", "Torsion by shorter steps", |row| {
         row.finer_label(Motion::Torsion)
     })
@@ -528,6 +544,8 @@ pub static COLUMNS: &[ResultColumn] = &[
 
 /// The column of the speed above the one-slip estimate of stick-slip (Eq. 74).
 pub const STICK_SLIP_MARGIN: &str = "stick_slip_margin_rpm";
+/// The column of whether the mud motor stalls.
+pub const MOTOR_STALLED: &str = "motor_stalled";
 /// The column of the sites that were found.
 pub const FOUND_SITES: &str = "found_sites_from_bit_m";
 /// That of how often a case was run again for them.

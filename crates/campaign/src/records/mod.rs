@@ -21,8 +21,8 @@ mod verdict;
 
 pub use column::{Group, Needs, RecordRow, ResultColumn, to_kn, to_m_h, to_mm, to_rpm, to_turns};
 pub use columns::{
-    COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, OLD_PREDICTED, STICK_SLIP_MARGIN,
-    is_of_results,
+    COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, OLD_PREDICTED,
+    STICK_SLIP_MARGIN, is_of_results,
 };
 pub use field::{Field, Kind};
 pub use measure::Measure;

@@ -28,6 +28,8 @@ pub struct Group {
     pub all: Vec<usize>,
     /// Of these, those with each label that occurs.
     pub labels: BTreeMap<Label, Vec<usize>>,
+    /// Of torsion, rows without sustained vibration in which a mud motor stalls.
+    pub stalled: Vec<usize>,
 }
 
 impl Group {
@@ -101,7 +103,8 @@ impl Counts {
                             continue;
                         };
                         for label in row.labels.each() {
-                            counts.add(method, label, cell);
+                            let stalled = row.motor_stalled == Some(true);
+                            counts.add(method, (label, stalled), cell);
                         }
                     }
                 }
@@ -118,6 +121,7 @@ impl Counts {
         let group = Group {
             all: vec![0; cells],
             labels: BTreeMap::new(),
+            stalled: vec![0; cells],
         };
         let of_method = |method: &&str| {
             let method = (*method).to_owned();
@@ -153,9 +157,11 @@ impl Counts {
         ranges
     }
 
-    fn add(&mut self, method: usize, label: Label, cell: usize) {
+    fn add(&mut self, method: usize, (label, stalled): (Label, bool), cell: usize) {
         let (_, _, group) = &mut self.groups[Motion::ALL.len() * method + label.motion() as usize];
         group.all[cell] += 1;
+        let stalls = stalled && label.motion() == Motion::Torsion;
+        group.stalled[cell] += usize::from(stalls && label.is_sustained() == Some(false));
         let cells = group.all.len();
         group.labels.entry(label).or_insert_with(|| vec![0; cells])[cell] += 1;
     }

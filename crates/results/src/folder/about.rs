@@ -38,6 +38,9 @@ pub struct About {
     /// Whether it has columns of the torque along the string.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub shows_string_torque: bool,
+    /// Whether it has columns of a mud motor.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shows_motor: bool,
     /// Its columns of what cases are held against.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub misfits: Vec<String>,
@@ -84,6 +87,7 @@ impl About {
             shows_stress: LabelTable::of(sweep).shows_stress,
             shows_surface: shows_surface(sweep),
             shows_string_torque: shows_string_torque(sweep),
+            shows_motor: sweep.setting.motor.is_some(),
             misfits: LabelTable::of(sweep)
                 .misfits
                 .into_iter()
@@ -109,6 +113,7 @@ impl About {
             shows_stress: self.shows_stress,
             shows_surface: self.shows_surface,
             shows_string_torque: self.shows_string_torque,
+            shows_motor: self.shows_motor,
             misfits: self.misfits.iter().map(String::as_str).collect(),
             certifying: self.certifying,
             shows_starts: self.shows_starts,

@@ -29,6 +29,8 @@ pub struct LabelRow {
     pub certainty: Certainty,
     /// How many sites were found and in how many rounds, where they were looked for.
     pub found: Option<[usize; 2]>,
+    /// Whether the mud motor above the bit stalls, where there is one.
+    pub motor_stalled: Option<bool>,
     /// Whether the case failed.
     pub failed: bool,
 }
@@ -49,6 +51,7 @@ impl LabelRow {
             stick_slip_margin: None,
             certainty: Certainty::default(),
             found: None,
+            motor_stalled: None,
             failed: false,
         }
     }

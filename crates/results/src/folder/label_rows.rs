@@ -8,8 +8,8 @@ use sim::{Label, Labels, Motion, PerMotion};
 use super::label_row::LabelRow;
 use super::recorded_rows::RecordedRows;
 use campaign::records::{
-    Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, Measure, OLD_PREDICTED, ResultColumn,
-    STICK_SLIP_MARGIN,
+    Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, Measure, OLD_PREDICTED,
+    ResultColumn, STICK_SLIP_MARGIN,
 };
 
 use campaign::quantities::Axis;
@@ -30,7 +30,7 @@ pub fn misfit_columns(path: &Path) -> Result<Vec<String>> {
 
 /// Where the columns are that are read back: `case`, `method`, the axes and measures asked
 /// for, `torsion` and, if they are there, `lateral`, `predicted`, misfits, certainties,
-/// the margin to Eq. 74, found sites and `status`; others are ignored.
+/// the margin to Eq. 74, found sites, `motor_stalled` and `status`; others are ignored.
 pub struct LabelColumns {
     case: usize,
     method: usize,
@@ -42,6 +42,7 @@ pub struct LabelColumns {
     stick_slip_margin: Option<usize>,
     certainty: PerMotion<Option<usize>>,
     found: [Option<usize>; 2],
+    motor_stalled: Option<usize>,
     status: Option<usize>,
 }
 
@@ -128,6 +129,7 @@ impl LabelColumns {
             stick_slip_margin: place(STICK_SLIP_MARGIN)?,
             certainty: of_motions(ResultColumn::certainty_of)?,
             found: [place(FOUND_SITES)?, place(FOUND_ROUNDS)?],
+            motor_stalled: place(MOTOR_STALLED)?,
             status: place("status")?,
         })
     }
@@ -181,6 +183,7 @@ impl LabelColumns {
                 let sites = sites.split(';').filter(|site| !site.is_empty()).count();
                 rounds.parse().ok().map(|rounds| [sites, rounds])
             },
+            motor_stalled: optional(self.motor_stalled).parse().ok(),
             failed: optional(self.status) == FAILED,
         })
     }

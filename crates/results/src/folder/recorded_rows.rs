@@ -127,6 +127,7 @@ impl RecordedRows {
             stick_slip_margin: record.above_limit.map(to_rpm),
             certainty,
             found: (record.found.as_ref()).map(|found| [found.sites.len(), found.rounds]),
+            motor_stalled: row.motor_stalled(),
             failed: outcome.is_err(),
         })
     }

@@ -12,7 +12,7 @@ use super::records::{RECORDS, RecordWriter};
 use super::tally::Tally;
 use crate::files::{AtomicFile, Checksum};
 use campaign::labels::LabelTable;
-use campaign::records::{Certainty, Record, to_turns};
+use campaign::records::{Certainty, Record, RecordRow, to_turns};
 use sim::{Label, Outcome};
 
 /// Rows that all threads together format at once.
@@ -95,6 +95,8 @@ impl<'a> TableWriter<'a> {
         if let Some(whirl) = whirl {
             (self.tally).add_whirl(method, to_turns(whirl.precession_rate));
         }
+        let stalled = RecordRow::new(record, certainty).motor_stalled();
+        (self.tally).add_motor(method, stalled, labels);
         if let Some(found) = &record.found {
             (self.tally).add_found(method, [found.sites.len(), found.rounds]);
         }

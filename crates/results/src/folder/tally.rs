@@ -8,7 +8,7 @@ use sim::Label;
 use campaign::records::Certainty;
 
 use campaign::words::counted;
-use sim::{Labels, Motion};
+use sim::{Labels, Motion, TorsionRegime};
 
 /// What came out, counted.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -31,6 +31,9 @@ pub struct Tally {
     /// The fastest whirl per method, turns a second, where any whirls.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub fastest_whirl_turns_per_s: BTreeMap<String, f64>,
+    /// Rows below a mud motor, per method, and in how many of them it stalls.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub motor: BTreeMap<String, MotorStalls>,
     /// Rows without an answer.
     pub failed: usize,
     /// Settled rows that were followed to the end, and those of them whose label
@@ -38,6 +41,17 @@ pub struct Tally {
     pub settled_checked: usize,
     /// See `settled_checked`.
     pub settled_wrong: usize,
+}
+
+/// Stalls of the mud motor by a method.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct MotorStalls {
+    /// Cases with an answer.
+    pub cases: usize,
+    /// Those of them in which the motor stalls in the closing window.
+    pub stalled: usize,
+    /// Those of these whose bit turns smoothly all the same, with the string.
+    pub stalled_and_smooth: usize,
 }
 
 /// Sites that were found by a method.
@@ -152,6 +166,34 @@ impl Tally {
                 *of_method.entry(label).or_default() += 1;
             }
         }
+    }
+
+    /// Counts whether the mud motor above the bit stalls in a case of these labels by a method; nothing
+    /// where there is no motor.
+    pub fn add_motor(&mut self, method: &str, stalled: Option<bool>, labels: Labels) {
+        let Some(stalled) = stalled else { return };
+        let motor = self.motor.entry(method.to_owned()).or_default();
+        let is_smooth = labels[Motion::Torsion] == Some(TorsionRegime::Smooth.into());
+        motor.cases += 1;
+        motor.stalled += usize::from(stalled);
+        motor.stalled_and_smooth += usize::from(stalled && is_smooth);
+    }
+
+    /// In how many cases the mud motor stalls, in a sentence for each method; none without a motor.
+    pub fn motor_words(&self) -> impl Iterator<Item = String> {
+        self.motor.iter().map(|(method, found)| {
+            let MotorStalls {
+                cases,
+                stalled,
+                stalled_and_smooth,
+            } = found;
+            let smooth = match stalled_and_smooth {
+                0 => String::new(),
+                smooth => format!(", {smooth} of them smooth, where the bit turns with the string"),
+            };
+            let cases = counted(*cases, "case");
+            format!("{method}: the mud motor stalls in {stalled} of {cases}{smooth}")
+        })
     }
 
     /// In how many cases sites were found, how many at most and in how many rounds, in a sentence

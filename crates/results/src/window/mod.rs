@@ -4,7 +4,7 @@
 //! lattice or in ranges (`simulated`), or by an analytic curve (`analytic`). A `chart` puts the
 //! limits over one another; `regions` are where all of them are clear, and `best` is the point
 //! in them that a stated rule prefers; of a bit that cuts by its `rates` of penetration. An `operating` window is all that of a sweep and results
-//! folders of its string (`of_folders`, `lateral`).
+//! folders of its string (`of_folders`, `lateral`, `motor`).
 //!
 //! Above 80 rpm and below 60 kN, each limit uncertain by 5:
 //!
@@ -41,6 +41,7 @@ mod by_axis;
 mod chart;
 mod error;
 mod lateral;
+mod motor;
 mod of_folders;
 mod operating;
 mod rates;

@@ -68,6 +68,7 @@ fn of_cases(
 ) -> Source<'static> {
     let regime = match motion {
         Motion::Axial if asked.accept_chatter => "bit bounce",
+        Motion::Torsion if manifest.sweep.motor.is_some() => "stick-slip or a stalled motor",
         _ => motion.regimes()[0],
     };
     // Names without commas, for they stand in a table.

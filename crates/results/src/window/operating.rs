@@ -7,6 +7,7 @@ use super::asked::WindowAsked;
 use super::chart::Chart;
 use super::error::WindowError;
 use super::lateral;
+use super::motor;
 use super::of_folders;
 use super::rates::Rates;
 use super::simulated::AXES;
@@ -39,6 +40,7 @@ impl OperatingWindow {
         }
         let (ranges, mut sources) = of_folders::limits(sweep, all, asked)?;
         sources.extend(lateral::limits(sweep, ranges, asked)?);
+        sources.extend(motor::limit(sweep, ranges, asked));
         let rates = all.iter().map(|(_, tables)| Rates::of(tables, asked.bins));
         let rates = rates.collect::<Result<Vec<_>, _>>();
         let rates = rates
@@ -58,8 +60,9 @@ impl OperatingWindow {
 }
 
 /// Keys of what turns, bends and surrounds the string: limits for other values do not apply.
-const OF_STRING: [&str; 8] = [
+const OF_STRING: [&str; 9] = [
     "string",
+    "motor",
     "top_drive",
     "well",
     "mud",

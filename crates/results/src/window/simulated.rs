@@ -169,7 +169,10 @@ fn points(tables: &ResultTables, motion: Motion, vibrates: Vibrates) -> Result<P
         let mut at = Found::default();
         for row in &case.rows {
             at.uncertain |= row.certainty[motion] == Some(false);
-            match row.labels[motion].and_then(|label| vibrates.of(label)) {
+            // A stalled motor is no more to be drilled with than a bit that sticks.
+            let stalls = motion == Motion::Torsion && row.motor_stalled == Some(true);
+            let found = row.labels[motion].and_then(|label| vibrates.of(label));
+            match found.map(|vibrates| vibrates || stalls) {
                 Some(true) => at.with = true,
                 Some(false) => at.without = true,
                 None => at.undetermined = true,
@@ -223,6 +226,7 @@ fn cells(counts: &Counts, motion: Motion, (risk, vibrates): (f64, Vibrates)) -> 
         for (cell, standing) in standings.iter_mut().enumerate() {
             let [with, classified] = sustained[cell];
             let all = group.all[cell];
+            let with = with + group.stalled[cell];
             let own = match wilson(with + all - classified, all) {
                 None => Standing::Undetermined,
                 Some(part) if part.high <= risk => Standing::Clear,
@@ -394,6 +398,7 @@ mod tests {
                 (smooth, vec![40, 30, 96, 40, 0]),
             ]
             .into(),
+            stalled: vec![0; 5],
         };
         let mut stuck = group.clone();
         stuck.labels.insert(smooth, vec![40, 30, 90, 40, 0]);
@@ -416,8 +421,13 @@ mod tests {
         );
         // By the worse of two methods.
         assert_eq!(
-            of(vec![group, stuck]),
+            of(vec![group.clone(), stuck]),
             [Clear, Near, Near, Against, Undetermined]
         );
+        // Below a mud motor that stalls in all of the first cell.
+        let mut stalling = group;
+        stalling.stalled[0] = 40;
+        let below_motor = of(vec![stalling]);
+        assert_eq!(below_motor, [Against, Near, Clear, Against, Undetermined]);
     }
 }

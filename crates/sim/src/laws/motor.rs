@@ -63,8 +63,13 @@ impl MudMotor {
         positive("inertia of the motor's rotor in kg m²", self.rotor_inertia)?;
         not_negative(
             "speed of the motor at its stall torque in rad/s",
-            self.speed - self.slip * self.stall_torque,
+            self.speed_at_stall(),
         )
+    }
+
+    /// Speed of the rotor against its housing where it is about to stall, rad/s.
+    pub fn speed_at_stall(&self) -> f64 {
+        self.speed - self.slip * self.stall_torque
     }
 
     /// Speed of the rotor against its housing under a torque (N m), rad/s.

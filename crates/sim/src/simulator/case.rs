@@ -14,6 +14,7 @@ use crate::stepper::Stepper;
 use crate::system::System;
 use crate::trajectory::Trajectory;
 use crate::watch::axial::AxialMeasures;
+use crate::watch::motor::MotorWatch;
 use crate::watch::rules::Rules;
 use crate::watch::surface::SurfaceMeasures;
 use crate::watch::torsion::{TorsionMeasures, TorsionRegime};
@@ -205,9 +206,12 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
     /// A case that begins with a steady motion has no first slip to wait for.
     fn torsion(&self) -> Option<TorsionMeasures> {
         let watch = self.watch.bit.as_ref()?;
-        let measures = watch.measures(self.scene.surface_speed);
+        let motor = self.watch.motor.as_ref();
+        let faster = motor.map_or(0.0, MotorWatch::mean_relative_speed);
+        let measures = watch.measures(self.scene.surface_speed + faster);
         Some(TorsionMeasures {
             first_slip: (measures.first_slip).filter(|_| self.scene.start == Start::Rest),
+            motor_stalled_fraction: motor.map(MotorWatch::stalled_fraction),
             ..measures
         })
     }

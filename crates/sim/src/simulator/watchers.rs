@@ -8,6 +8,7 @@ use crate::system::System;
 use crate::watch::along::StringTorqueWatch;
 use crate::watch::axial::CutWatch;
 use crate::watch::lateral::WallWatch;
+use crate::watch::motor::MotorWatch;
 use crate::watch::rubbing::RubbingWatch;
 use crate::watch::rules::Rules;
 use crate::watch::settling::Settling;
@@ -24,6 +25,8 @@ pub(super) struct Watchers {
     /// What turned the surface in each step, N m.
     pub(super) surface: Option<Vec<f64>>,
     pub(super) along: Option<StringTorqueWatch>,
+    /// The mud motor, where a bit turns below one.
+    pub(super) motor: Option<MotorWatch>,
 }
 
 impl Watchers {
@@ -67,6 +70,10 @@ impl Watchers {
             }),
             surface: (system.knows_surface()).then(|| Vec::with_capacity(steps)),
             along: None,
+            motor: system.motor.map(|motor| {
+                let window = (window * sampling.frequency).round() as usize;
+                MotorWatch::new(motor, steps.saturating_sub(window.max(1)))
+            }),
         }
     }
 
@@ -97,6 +104,10 @@ impl Watchers {
         }
         if let Some(watch) = &mut self.along {
             watch.see(stepper.string_torques());
+        }
+        if let (Some(watch), Some((port, speed, passed))) = (&mut self.motor, stepper.below_motor())
+        {
+            watch.see(stepper.next_step() - 1, passed, speed - now.speeds[port]);
         }
     }
 

@@ -4,6 +4,7 @@
 pub mod along;
 pub mod axial;
 pub mod lateral;
+pub(crate) mod motor;
 pub(crate) mod rubbing;
 pub mod rules;
 pub(crate) mod settling;

@@ -67,11 +67,15 @@ pub struct TorsionMeasures {
     /// Mean speed of the bit over the closing window, rad/s.
     pub closing_speed: f64,
     /// Severity of stick-slip, (ω_max − ω_min)/(2 ω_mean), of the fastest and slowest in the
-    /// closing window and of the surface speed, which is the bit's mean over whole cycles: about
-    /// 1 where the bit just stops, more where it stands still for long; none where the surface
-    /// does not turn.
+    /// closing window and of the bit's mean over whole cycles, which is the surface speed and, below
+    /// a mud motor, the mean speed of its rotor against the housing: about 1 where the bit just stops,
+    /// more where it stands still for long; none where that mean is zero.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub severity: Option<f64>,
+    /// Part of the closing window in which the mud motor above the bit stalls: it passes on more than
+    /// its stall torque, and the bit turns with the string; none without a motor.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motor_stalled_fraction: Option<f64>,
 }
 
 impl TorsionMeasures {
@@ -383,8 +387,8 @@ impl BitWatch {
         lately && self.sticks >= self.rules.repeated
     }
 
-    /// What came out at a surface speed, rad/s.
-    pub(crate) fn measures(&self, surface_speed: f64) -> TorsionMeasures {
+    /// Regime and measures of a bit that turns at a mean speed over whole cycles, rad/s.
+    pub(crate) fn measures(&self, mean_speed: f64) -> TorsionMeasures {
         let time = |steps: usize| self.sampling.start_of(steps);
         let regime = match self.first_slip {
             None => TorsionRegime::Stuck,
@@ -406,8 +410,8 @@ impl BitWatch {
             sticks: self.sticks,
             peak_speed: self.peak_speed,
             closing_speed: self.closing.sum / closing_steps as f64,
-            severity: Some(0.5 * swing / surface_speed.abs())
-                .filter(|severity| severity.is_finite()),
+            severity: Some(0.5 * swing / mean_speed.abs()).filter(|severity| severity.is_finite()),
+            motor_stalled_fraction: None,
         }
     }
 }

@@ -7,10 +7,11 @@ use linear::{ChannelRequest, Drillstring, Method, Request, Sites, steady};
 use problems::academic;
 use problems::methods;
 use problems::pipes;
+use proptest::prelude::*;
 use sim::laws::contact::Touch;
 use sim::{
-    BitTorque, Impulse, Lateral, MudMotor, Scene, Simulator, Start, Stopping, Timing, Trajectory,
-    Wall,
+    BitTorque, Impulse, Lateral, MudMotor, Scene, Simulator, Start, Stopping, Timing,
+    TorsionMeasures, Trajectory, Wall,
 };
 
 const FREQUENCY: f64 = 1000.0;
@@ -26,8 +27,17 @@ fn motion(
     string: &Drillstring,
     method: &Method,
     motor: MudMotor,
-    (surface_speed, bit, duration): (f64, BitTorque, f64),
+    case: (f64, BitTorque, f64),
 ) -> Trajectory {
+    outcome(string, method, motor, case).0
+}
+
+fn outcome(
+    string: &Drillstring,
+    method: &Method,
+    motor: MudMotor,
+    (surface_speed, bit, duration): (f64, BitTorque, f64),
+) -> (Trajectory, TorsionMeasures) {
     let sites = Sites::new(string, &[400.0, 0.0]).unwrap();
     let request = Request {
         sites,
@@ -51,10 +61,8 @@ fn motion(
         },
     };
     let mut record = Trajectory::default();
-    simulator
-        .simulate(&scene, Stopping::Full, Some(&mut record))
-        .unwrap();
-    record
+    let outcome = simulator.simulate(&scene, Stopping::Full, Some(&mut record));
+    (record, outcome.unwrap().torsion().unwrap())
 }
 
 /// A bit off bottom. Before a wave comes back the string is a damper Z, and rotor, slip and damper
@@ -138,6 +146,39 @@ fn val_a_steady_bit_turns_faster_than_the_string_by_the_chart() {
         assert!((above / 8.0 - 1.0).abs() < 1e-4, "{torque}: {above}");
         let passed = record.mud_motor_torque.last().unwrap();
         assert!((passed / torque - 1.0).abs() < 1e-4, "{torque}: {passed}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 16, failure_persistence: None, ..Default::default() })]
+
+    /// What turns steadily stalls the motor all the time where the bit takes more than the stall torque,
+    /// and never where it takes less; the severity is the swing by the speed that string and chart
+    /// give the bit.
+    #[test]
+    fn val_a_motor_stalls_where_the_bit_takes_more_than_it_gives(
+        surface_speed in 6.0..15.0f64,
+        speed in 5.0..20.0f64,
+        part in 0.0..0.9f64,
+        stall_torque in 3e3..12e3f64,
+        load in prop_oneof![0.2..0.97f64, 1.03..1.5f64],
+    ) {
+        let motor = MudMotor { speed, slip: part * speed / stall_torque, stall_torque, rotor_inertia: 3.0 };
+        let torque = load * stall_torque;
+        let string = pipes::row(100, 4.0);
+        let case = (surface_speed, bit(torque, torque), 60.0);
+        let (record, found) = outcome(&string, &Method::Held, motor, case);
+        prop_assert_eq!(found.sticks, 0);
+        prop_assert_eq!(found.motor_stalled_fraction, Some(f64::from(load > 1.0)));
+        let expected = surface_speed + motor.relative_speed(torque);
+        prop_assert!((found.closing_speed / expected - 1.0).abs() < 1e-3);
+        let closing = record.times.iter().zip(&record.speeds[1]).filter(|(time, _)| **time > 30.0);
+        let closing: Vec<f64> = closing.map(|(_, speed)| *speed).collect();
+        let most = closing.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = closing.iter().copied().fold(f64::INFINITY, f64::min);
+        let severity = 0.5 * (most - least) / expected;
+        let error = found.severity.unwrap() - severity;
+        prop_assert!(error.abs() < 1e-3 * severity + 1e-4, "{error} {severity}");
     }
 }
 

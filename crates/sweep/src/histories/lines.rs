@@ -201,6 +201,13 @@ fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>, units: Units) -> Ve
                 |severity| format!("severity {severity:.2}"),
             ),
         ]);
+        if let Some(part) = torsion.motor_stalled_fraction {
+            let words = format!(
+                "mud motor stalls for {:.0} % of the closing window",
+                100.0 * part
+            );
+            add(&[words]);
+        }
     }
     if let Some(axial) = outcome.axial() {
         let per_cent = |part: f64| format!("{:.1} %", 100.0 * part);

@@ -5,7 +5,7 @@ use serde::Serialize;
 use sim::{Label, LateralRegime, Motion};
 
 use campaign::quantities::Axis;
-use limits::{Boundary, Envelope, StickSlipPoint, rolling_envelope};
+use limits::{Boundary, Envelope, StickSlipPoint, TorsionLimit, rolling_envelope};
 use results::folder::{CaseRows, LabelRow};
 
 /// Cases on one side of a limit.
@@ -71,7 +71,7 @@ impl LimitChecks {
     pub fn new(boundary: &Boundary, axes: &[Axis], methods: &[&str]) -> Option<Self> {
         let place = |axis| axes.iter().position(|&other| other == axis);
         let (limited, value, along, lines) = match boundary {
-            Boundary::StickSlip(points) if !points.is_empty() => {
+            Boundary::StickSlip(points) if points.iter().any(is_stick_slip) => {
                 let torque = [Axis::TorqueDynamicNm, Axis::WeightOnBitKn];
                 let torque = torque.into_iter().find(|&axis| place(axis).is_some())?;
                 let of = |method: &&str| stick_slip_curve(points, method, torque);
@@ -142,6 +142,10 @@ impl Limited {
             }
         }
     }
+}
+
+fn is_stick_slip(point: &StickSlipPoint) -> bool {
+    point.limit == TorsionLimit::StickSlip
 }
 
 /// The limiting speed of one method over the torque or the weight on bit.

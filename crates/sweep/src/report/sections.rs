@@ -77,7 +77,8 @@ fn regimes(all: &[Results]) -> Vec<Block> {
         Block::Picture { html, table }
     });
     let found = all.iter().flat_map(|results| {
-        let words = results.manifest.tally.found_words();
+        let tally = &results.manifest.tally;
+        let words = tally.motor_words().chain(tally.found_words());
         words.map(|words| note(all, results, format!("{words}.")))
     });
     tables.chain(found).collect()

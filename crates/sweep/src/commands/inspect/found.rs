@@ -7,6 +7,7 @@ use super::clearances::{InspectedClearance, describe_clearances};
 use super::lying::InspectedLying;
 use super::methods::InspectedMethod;
 use super::modes::InspectedModes;
+use super::motor::InspectedMotor;
 use super::string::InspectedString;
 use super::top_drive::InspectedDrive;
 use super::well::InspectedWell;
@@ -36,6 +37,8 @@ pub struct Inspection<'a> {
     pub forward_contact: Option<ForwardContact>,
     /// What turns it, where that is a top drive.
     pub top_drive: Option<InspectedDrive>,
+    /// What turns the bit against the string, where that is a mud motor.
+    pub motor: Option<InspectedMotor>,
     /// Its modes, where they are asked for.
     pub modes: Option<InspectedModes>,
     /// The responses by each method.
@@ -69,6 +72,7 @@ impl Inspection<'_> {
                 format!("\neccentric mass\n{}", wrapped(&contact.words(units), 2, 2))
             })),
             optional(self.top_drive.as_ref().map(|drive| drive.words(units))),
+            optional(self.motor.as_ref().map(|motor| motor.words(units))),
             optional(self.modes.as_ref().map(|modes| modes.words(units))),
             "\nmethods\n".to_owned(),
             methods.collect(),

@@ -7,6 +7,7 @@ mod found;
 mod lying;
 mod methods;
 mod modes;
+mod motor;
 mod responses;
 mod rows;
 mod string;
@@ -41,6 +42,7 @@ use limits::ForwardContact;
 use lying::InspectedLying;
 use methods::InspectedMethod;
 use modes::{InspectedModes, write_modes};
+use motor::InspectedMotor;
 use responses::{response_panels, response_picture};
 use results::files::write_atomically;
 use string::InspectedString;
@@ -141,6 +143,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         lying,
         forward_contact: ForwardContact::of(sweep)?,
         top_drive: drive.as_ref().map(DriveView::numbers),
+        motor: InspectedMotor::of(sweep),
         modes,
         methods: systems.iter().map(InspectedMethod::of).collect(),
         left_out: left_out(sweep),

@@ -114,6 +114,7 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
             row.certainty,
         );
         tally.add_margin(&row.method, row.labels, row.stick_slip_margin);
+        tally.add_motor(&row.method, row.motor_stalled, row.labels);
         if let Some(found) = row.found {
             tally.add_found(&row.method, found);
         }
