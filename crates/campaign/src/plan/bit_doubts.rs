@@ -3,7 +3,8 @@
 use linear::Mud;
 use linear::well::HangingString;
 
-use super::hole::PA_S_PER_CP;
+use super::contacts::StringInHole;
+use super::hole::{self, PA_S_PER_CP};
 use super::sweep::Sweep;
 use crate::quantities::{Axis, FORCE, INCH};
 use crate::sweep_file::{RockName, ToolKind};
@@ -55,9 +56,22 @@ impl Sweep {
             .rows
             .iter()
             .position(|row| row.kind == ToolKind::Bit)?;
-        let section = self.setting.string.sections().get(bit)?;
-        let widest = section.parts.iter().map(|part| 2.0 * part.outer_radius);
-        let diameter = widest.fold(0.0, f64::max);
+        let string = &self.setting.string;
+        let hole = hole::sections(&self.source, &self.content, string.length()).ok()?;
+        let in_hole = StringInHole {
+            string,
+            sections: &self.content.string.sections,
+            hole: &hole,
+            drills: true,
+        };
+        let section = string.sections().get(bit)?;
+        let widest = section.parts.iter().map(|part| part.outer_radius);
+        let diameter = 2.0
+            * in_hole
+                .bit_radius()
+                .into_iter()
+                .chain(widest)
+                .fold(0.0, f64::max);
         let differs = (diameter / OF_ROCKS - 1.0).abs() > ALIKE;
         differs.then(|| {
             format!(

@@ -212,6 +212,7 @@ mod tests {
             string: &string,
             sections,
             hole: &[],
+            drills: false,
         };
         let at = every.map_or(CandidatePlaces::Middles, CandidatePlaces::Every);
         let found = in_hole.candidates(Candidates { at, to });
@@ -225,6 +226,7 @@ mod tests {
             string: &string,
             sections,
             hole: &[],
+            drills: false,
         };
         let at = CandidatePlaces::Ends(Spans::Given(15.0));
         let found = in_hole.candidates(Candidates { at, to });
@@ -317,7 +319,7 @@ mod tests {
         #[test]
         fn every_wide_part_is_a_candidate_and_no_other(sections in strings()) {
             let string = string(&sections);
-            let in_hole = StringInHole { string: &string, sections: &sections, hole: &[] };
+            let in_hole = StringInHole { string: &string, sections: &sections, hole: &[], drills: false };
             let parts: Vec<Hanging> = in_hole.parts().collect();
             let middles = parts.iter().enumerate().filter(|(index, part)| {
                 let below = index.checked_sub(1).map(|below| parts[below].radius);

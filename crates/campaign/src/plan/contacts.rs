@@ -4,10 +4,13 @@
 use linear::{Drillstring, HoleSection};
 
 use super::full_gauge::{self, depths};
-use crate::sweep_file::SectionTable;
+use crate::sweep_file::{SectionTable, ToolKind, diameter_in_name};
 
 /// Radii that differ by no more than this, m, are the same: one may be given in inches.
 pub(super) const SAME_RADIUS: f64 = 1e-6;
+
+/// No bit is longer, m: of a longer part at the end of a string the bit is its lower end alone.
+const LONGEST_BIT: f64 = 1.0;
 
 /// A place where the string may touch the wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,6 +48,8 @@ pub struct StringInHole<'a> {
     pub sections: &'a [SectionTable],
     /// Its hole, from the surface down; empty where it is not known.
     pub hole: &'a [HoleSection],
+    /// Whether a bit is at its end, whatever that is called.
+    pub drills: bool,
 }
 
 /// A part of the string, where it hangs.
@@ -76,8 +81,14 @@ impl StringInHole<'_> {
         let radius = tubes[0].contact_radius().max(tubes[1].contact_radius());
         let has_blades = (tubes.iter())
             .any(|tube| tube.contact_radius() == radius && tube.contact_radius_m.is_some());
-        let is_bit = distance_from_bit <= self.lowest_length() + self.string.same_place();
+        let same_place = self.string.same_place();
+        let is_bit = distance_from_bit <= self.lowest_length() + same_place;
         let is_of_gauge = has_blades || is_bit;
+        let of_bit = self
+            .bit_length()
+            .map_or(same_place, |length| length - same_place);
+        let gauge = self.bit_radius().filter(|_| distance_from_bit < of_bit);
+        let radius = gauge.map_or(radius, |gauge| gauge.max(radius));
         let hole = self.hole_radius(self.depth(distance_from_bit));
         Contact {
             distance_from_bit,
@@ -97,6 +108,28 @@ impl StringInHole<'_> {
         lowest.map_or(0.0, |part| part.length_m)
     }
 
+    /// Length of the lowest part, m, where it is no longer than a bit.
+    fn bit_length(&self) -> Option<f64> {
+        Some(self.lowest_length()).filter(|length| *length <= LONGEST_BIT)
+    }
+
+    /// Radius with which the bit drills and touches its hole, m: that of its gauge where it is given, else
+    /// that which its name says, but no more than that of the hole, and else that of the hole at its
+    /// end; none where no bit is there, or nothing says its size.
+    pub fn bit_radius(&self) -> Option<f64> {
+        let lowest = self.sections.last()?;
+        let part = lowest.parts.last()?;
+        let name = lowest.name.as_deref().unwrap_or_default();
+        if !self.drills && ToolKind::of(name, "") != ToolKind::Bit {
+            return None;
+        }
+        let hole = self.hole_radius(self.depth(0.0));
+        let named = diameter_in_name(name)
+            .map(|diameter| (0.5 * diameter).min(hole.unwrap_or(f64::INFINITY)));
+        let radius = part.contact_radius_m.or(named).or(hole)?;
+        Some(radius.max(part.contact_radius()))
+    }
+
     /// The clearance along the string: corners by depth and clearance, m, from the surface down to
     /// the bit, or to the end of the hole. It is level between two corners or, at the same depth,
     /// changes from one to the other.
@@ -111,7 +144,11 @@ impl StringInHole<'_> {
                 if from >= to {
                     continue;
                 }
-                let clearance = full_gauge::clearance(radius, part.radius, part.is_of_gauge(self));
+                let is_bit =
+                    part.ends[0] <= self.string.same_place() && self.bit_length().is_some();
+                let gauge = self.bit_radius().filter(|_| is_bit);
+                let touches = gauge.unwrap_or(part.radius);
+                let clearance = full_gauge::clearance(radius, touches, part.is_of_gauge(self));
                 match corners.last_mut() {
                     // The same as above continues.
                     Some(last) if (last.1 - clearance).abs() <= SAME_RADIUS => last.0 = to,
@@ -272,6 +309,7 @@ pub(super) mod tests {
             string: &string,
             sections: &sections,
             hole: &hole(&[(30.0, 0.2), (10.0, 0.16), (4.0, 0.25), (2.5, 0.16)]),
+            drills: false,
         };
         for (distance, radius, clearance_mm) in [
             // Beyond the end of the hole, at 46.5 m.
@@ -299,6 +337,44 @@ pub(super) mod tests {
         assert_eq!(in_hole.too_wide(), None);
     }
 
+    /// A bit touches as wide as it drills: by its gauge, its name or its hole, not by its shank.
+    #[test]
+    fn a_bit_touches_with_what_it_drills() {
+        let touches = |name: Option<&str>, gauge: Option<f64>, radius: f64, drills: bool| {
+            let mut sections = assembly();
+            sections[3].name = name.map(str::to_owned);
+            sections[3].parts[0].contact_radius_m = gauge;
+            let string = string(&sections);
+            let in_hole = StringInHole {
+                string: &string,
+                sections: &sections,
+                hole: &hole(&[(60.0, radius)]),
+                drills,
+            };
+            let bit = in_hole.contact(0.0);
+            let corners = in_hole.clearances();
+            let [.., (_, along)] = corners[..] else {
+                panic!("{corners:?}");
+            };
+            assert!(
+                (1e3 * along - bit.clearance_mm.unwrap()).abs() < 1e-6,
+                "{corners:?}"
+            );
+            (bit.radius, bit.clearance_mm)
+        };
+        let named = Some("12 1/4 in PDC bit");
+        let size = 0.5 * 12.25 * 0.0254;
+        assert_eq!(touches(named, None, size, false), (size, Some(0.4)));
+        assert_eq!(touches(named, None, 0.16, false), (size, Some(4.425)));
+        assert_eq!(touches(named, Some(0.152), 0.16, false), (0.152, Some(8.0)));
+        // No wider than its hole, which it has drilled.
+        assert_eq!(touches(named, None, 0.152, false), (0.152, Some(0.4)));
+        assert_eq!(touches(Some("Bit"), None, 0.16, false), (0.16, Some(0.4)));
+        assert_eq!(touches(None, None, 0.16, true), (0.16, Some(0.4)));
+        // Nothing says that it is a bit.
+        assert_eq!(touches(Some("Shoe"), None, 0.16, false), (0.1, Some(60.0)));
+    }
+
     #[test]
     fn the_lowest_part_that_is_too_wide_is_reported_with_where_it_jams() {
         let sections = assembly();
@@ -309,6 +385,7 @@ pub(super) mod tests {
                 string: &string,
                 sections: &sections,
                 hole: &hole,
+                drills: false,
             };
             let found = in_hole.too_wide();
             found.map(|it| (it.section, it.radius, it.depth, it.hole_radius))
@@ -344,7 +421,7 @@ pub(super) mod tests {
             place in 0.0f64..1.0,
         ) {
             let string = string(&sections);
-            let in_hole = StringInHole { string: &string, sections: &sections, hole: &[] };
+            let in_hole = StringInHole { string: &string, sections: &sections, hole: &[], drills: false };
             let ends = in_hole.parts().map(|part| part.ends[1]).collect::<Vec<_>>();
             let same_place = string.same_place();
             let at_joint = ends[(place * ends.len() as f64) as usize];

@@ -63,6 +63,7 @@ pub fn resolve(
         string: &string,
         sections: &content.string.sections,
         hole: &sections,
+        drills: content.bit.is_some(),
     };
     fits(source, content, &in_hole)?;
     let with_waterways = in_hole.with_waterways();
@@ -144,7 +145,7 @@ pub fn idle_tables(content: &FileContent, design: &Design) -> Vec<String> {
 }
 
 /// How wide the hole is from the surface down; empty where the file does not say it.
-fn sections(
+pub(super) fn sections(
     source: &Source,
     content: &FileContent,
     length: f64,

@@ -185,6 +185,7 @@ impl Setting {
             string: &string,
             sections: &content.string.sections,
             hole: &hole,
+            drills: content.bit.is_some(),
         };
         let places = sites::resolve(source, content, &in_hole, found)?;
         let lateral = lateral::resolve(

@@ -42,7 +42,7 @@ pub mod units;
 pub mod well;
 pub mod wording;
 
-pub use bha_sheet::{SheetNotes, ToolKind, put_sections};
+pub use bha_sheet::{SheetNotes, ToolKind, diameter_in_name, put_sections};
 pub use bit::{BitTable, ContactName, CuttingTable, LawTable, RockName};
 pub use change::NoPlace;
 pub use compare::{CompareTable, Extreme, TraceName};

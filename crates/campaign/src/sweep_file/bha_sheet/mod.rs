@@ -1,6 +1,7 @@
 //! `[string] file`: a BHA sheet, as CSV or a spreadsheet, in the place of the sections. Columns
 //! are found by name and unit; every row becomes a section, held against its weight.
 
+mod bit_size;
 mod columns;
 mod joints;
 mod kind;
@@ -20,6 +21,7 @@ use columns::{NO_LENGTH, Quantity, SheetColumns, WANTED};
 use kind::{MUD_MOTOR, is_from_bit, not_modelled};
 use rows::{SheetRow, rows_of};
 
+pub use bit_size::diameter_in_name;
 pub use joints::WeightCheck;
 pub use kind::ToolKind;
 
