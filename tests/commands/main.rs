@@ -15,6 +15,7 @@ mod motor;
 mod one_slip;
 mod sensitivity;
 mod trace;
+mod walls;
 mod window;
 
 #[allow(dead_code, reason = "other test programs use more of it")]

@@ -109,12 +109,8 @@ fn a_falling_torque_stalls_the_motor_by_the_speed_that_the_bit_has_left() {
                   surface_speed_rpm = { values = [40, 160] }\n\
                   weight_on_bit_kn = { values = [40, 80] }\n";
     let text = small_with_design(&format!("{MOTOR}{design}"));
-    let text = with(&text, "rock = \"sandstone\"\n", ROCK);
-    let text = with(
-        &text,
-        "torque_static_ratio = 1.2\n",
-        "torque_static_ratio = 1.2\ntorque_decay_rpm = 100\n",
-    );
+    let falling = format!("{ROCK}torque_static_ratio = 1.2\ntorque_decay_rpm = 100\n");
+    let text = with(&text, "rock = \"sandstone\"\n", &falling);
     let place = Workplace::with_small(&text);
     done(&place, &["run", "small.toml", "--out", "out"]);
     let names = ["limit", "surface_speed_rpm", "weight_on_bit_kn"];

@@ -156,7 +156,7 @@ pub use timing::torsion_timing;
 pub use trajectory::Trajectory;
 pub use watch::along::StringTorque;
 pub use watch::axial::{AxialAcceleration, AxialMeasures, AxialRegime};
-pub use watch::lateral::{LateralMeasures, LateralRegime, LyingMeasures};
+pub use watch::lateral::{LateralMeasures, LateralRegime, LyingMeasures, Penetration};
 pub use watch::shocks::{ShakenPlace, ShockMeasures};
 pub use watch::stress::{Peak, StressMeasures, StressedPlace};
 pub use watch::surface::SurfaceMeasures;

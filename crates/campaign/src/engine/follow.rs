@@ -74,6 +74,7 @@ impl FollowedMethod {
             trajectory,
             answer,
             site_from_bit_m: row.site_from_bit_m,
+            wall_push: row.wall_push,
             followed,
         };
         Ok((row, Some(simulation)))

@@ -2,6 +2,8 @@
 
 use sim::{Outcome, Trajectory};
 
+use crate::records::WallPush;
+
 /// One method's answer to one case.
 pub struct Simulation {
     /// Number of the case.
@@ -16,6 +18,8 @@ pub struct Simulation {
     pub answer: Outcome,
     /// The site that decides the lateral label of that, m from the bit.
     pub site_from_bit_m: Option<f64>,
+    /// The deepest push into a wall, where there was one.
+    pub wall_push: Option<WallPush>,
     /// What came out, followed to the end of the time.
     pub followed: Outcome,
 }

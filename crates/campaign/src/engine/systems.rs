@@ -7,8 +7,8 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_response, largest_undershoot, stick_slip_speed_limit};
 use linear::{ChannelResponses, Method, PlaceQuantity, Responses};
 use sim::{
-    Label, Measures, Motion, Outcome, RatesAtPlaces, Scene, SimulationError, Simulator, Stopping,
-    SurfaceTorque, TorsionRegime, Trajectory,
+    Label, LateralMeasures, Measures, Motion, Outcome, RatesAtPlaces, Scene, SimulationError,
+    Simulator, Stopping, SurfaceTorque, TorsionRegime, Trajectory,
 };
 
 use super::along::{Along, closing_from};
@@ -21,7 +21,7 @@ use super::stress;
 use super::system_plan::SystemPlan;
 use super::tools;
 use crate::plan::{Setting, Sweep};
-use crate::records::{ByStart, Failure, Record, Verdict, verdict};
+use crate::records::{ByStart, Failure, Record, Verdict, WallPush, strength, verdict};
 
 mod building;
 
@@ -321,6 +321,16 @@ impl MethodSystem {
         Ok(Some(ByStart { stuck, smooth }))
     }
 
+    /// The deepest push of a case into its walls, and what the rock of its bit would make of it.
+    fn wall_push(&self, case: &Case, sweep: &Sweep, lateral: &LateralMeasures) -> Option<WallPush> {
+        let deepest = lateral.deepest?;
+        let from_bit = self.setting.sites.distances_from_bit()[deepest.site];
+        let wall = case.scene.lateral.as_ref()?.walls.get(deepest.site)?;
+        let law = (sweep.bit.as_ref()).and_then(|bit| bit.cutting_law(&case.conditions).ok()?);
+        let strength = strength(law.map(|law| law.specific_energy));
+        Some(WallPush::new(&deepest, from_bit, wall, strength))
+    }
+
     /// The same by its shorter steps, where it has any.
     pub(super) fn finer_verdict(&self, case: &Case, stopping: Stopping) -> Option<Verdict> {
         self.finer.as_ref()?.verdict(case, stopping)
@@ -384,8 +394,9 @@ impl MethodSystem {
                     .collect();
             }
         }
-        let shocks = (record.outcome.as_ref().ok()).and_then(Outcome::lateral);
-        let shocks = shocks.and_then(|lateral| lateral.shocks);
+        let lateral = (record.outcome.as_ref().ok()).and_then(Outcome::lateral);
+        record.wall_push = lateral.and_then(|lateral| self.wall_push(case, sweep, &lateral));
+        let shocks = lateral.and_then(|lateral| lateral.shocks);
         let tools = self.setting.tools.as_slice();
         let shaken = if tools.is_empty() { walls } else { tools };
         record.shock_from_bit_m = shocks.map(|shocks| shaken[shocks.site]);

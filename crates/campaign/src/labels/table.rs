@@ -10,7 +10,7 @@ use crate::records::{
 use crate::sweep_file::StartName;
 
 /// Groups before the columns of what cases are held against, and those after.
-const BEFORE_MISFITS: [Group; 8] = [
+const BEFORE_MISFITS: [Group; 9] = [
     Group::Always,
     Group::Cutting,
     Group::Lying,
@@ -19,6 +19,7 @@ const BEFORE_MISFITS: [Group; 8] = [
     Group::Surface,
     Group::String,
     Group::Motor,
+    Group::Wall,
 ];
 const AFTER_MISFITS: [Group; 3] = [Group::Certificate, Group::Starts, Group::Found];
 
@@ -44,6 +45,8 @@ pub struct LabelTable<'a> {
     pub shows_string_torque: bool,
     /// Whether the bit turns below a mud motor.
     pub shows_motor: bool,
+    /// Whether the string has walls.
+    pub shows_wall: bool,
     /// Columns of what cases are held against.
     pub misfits: Vec<&'a str>,
     /// The places of the methods that certify labels, where any do.
@@ -68,6 +71,7 @@ impl<'a> LabelTable<'a> {
             shows_surface: shows_surface(sweep),
             shows_string_torque: shows_string_torque(sweep),
             shows_motor: sweep.setting.motor.is_some(),
+            shows_wall: sweep.setting.lateral.is_some(),
             misfits: (sweep.data.comparisons.iter())
                 .map(|comparison| comparison.column.as_str())
                 .collect(),
@@ -88,6 +92,7 @@ impl<'a> LabelTable<'a> {
             Group::Surface => self.shows_surface,
             Group::String => self.shows_string_torque,
             Group::Motor => self.shows_motor,
+            Group::Wall => self.shows_wall,
             Group::Certificate => self.certifying.is_some(),
             Group::Starts => self.shows_starts,
             Group::Found => self.shows_found,

@@ -24,6 +24,20 @@ impl Sweep {
             .collect()
     }
 
+    /// Radius with which the bit drills (m), where there is one and its gauge, its name or its hole say
+    /// it.
+    pub fn bit_radius(&self) -> Option<f64> {
+        let string = &self.setting.string;
+        let hole = hole::sections(&self.source, &self.content, string.length()).ok()?;
+        let in_hole = StringInHole {
+            string,
+            sections: &self.content.string.sections,
+            hole: &hole,
+            drills: self.content.bit.is_some(),
+        };
+        in_hole.bit_radius()
+    }
+
     /// Of a weight on bit that all of the string does not have.
     fn weight_is_doubtful(&self) -> Option<String> {
         let ends = self.design.ends(Axis::WeightOnBitKn);
@@ -56,22 +70,10 @@ impl Sweep {
             .rows
             .iter()
             .position(|row| row.kind == ToolKind::Bit)?;
-        let string = &self.setting.string;
-        let hole = hole::sections(&self.source, &self.content, string.length()).ok()?;
-        let in_hole = StringInHole {
-            string,
-            sections: &self.content.string.sections,
-            hole: &hole,
-            drills: true,
-        };
-        let section = string.sections().get(bit)?;
+        let section = self.setting.string.sections().get(bit)?;
         let widest = section.parts.iter().map(|part| part.outer_radius);
-        let diameter = 2.0
-            * in_hole
-                .bit_radius()
-                .into_iter()
-                .chain(widest)
-                .fold(0.0, f64::max);
+        let radius = self.bit_radius().into_iter().chain(widest);
+        let diameter = 2.0 * radius.fold(0.0, f64::max);
         let differs = (diameter / OF_ROCKS - 1.0).abs() > ALIKE;
         differs.then(|| {
             format!(

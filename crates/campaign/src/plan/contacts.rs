@@ -9,9 +9,6 @@ use crate::sweep_file::{SectionTable, ToolKind, diameter_in_name};
 /// Radii that differ by no more than this, m, are the same: one may be given in inches.
 pub(super) const SAME_RADIUS: f64 = 1e-6;
 
-/// No bit is longer, m: of a longer part at the end of a string the bit is its lower end alone.
-const LONGEST_BIT: f64 = 1.0;
-
 /// A place where the string may touch the wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
@@ -48,7 +45,7 @@ pub struct StringInHole<'a> {
     pub sections: &'a [SectionTable],
     /// Its hole, from the surface down; empty where it is not known.
     pub hole: &'a [HoleSection],
-    /// Whether a bit is at its end, whatever that is called.
+    /// Whether a bit is at its end, regardless of what that is called.
     pub drills: bool,
 }
 
@@ -84,10 +81,9 @@ impl StringInHole<'_> {
         let same_place = self.string.same_place();
         let is_bit = distance_from_bit <= self.lowest_length() + same_place;
         let is_of_gauge = has_blades || is_bit;
-        let of_bit = self
-            .bit_length()
-            .map_or(same_place, |length| length - same_place);
-        let gauge = self.bit_radius().filter(|_| distance_from_bit < of_bit);
+        let gauge = self
+            .bit_radius()
+            .filter(|_| distance_from_bit <= same_place);
         let radius = gauge.map_or(radius, |gauge| gauge.max(radius));
         let hole = self.hole_radius(self.depth(distance_from_bit));
         Contact {
@@ -106,11 +102,6 @@ impl StringInHole<'_> {
             .last()
             .and_then(|section| section.parts.last());
         lowest.map_or(0.0, |part| part.length_m)
-    }
-
-    /// Length of the lowest part, m, where it is no longer than a bit.
-    fn bit_length(&self) -> Option<f64> {
-        Some(self.lowest_length()).filter(|length| *length <= LONGEST_BIT)
     }
 
     /// Radius with which the bit drills and touches its hole, m: that of its gauge where it is given, else
@@ -144,11 +135,7 @@ impl StringInHole<'_> {
                 if from >= to {
                     continue;
                 }
-                let is_bit =
-                    part.ends[0] <= self.string.same_place() && self.bit_length().is_some();
-                let gauge = self.bit_radius().filter(|_| is_bit);
-                let touches = gauge.unwrap_or(part.radius);
-                let clearance = full_gauge::clearance(radius, touches, part.is_of_gauge(self));
+                let clearance = full_gauge::clearance(radius, part.radius, part.is_of_gauge(self));
                 match corners.last_mut() {
                     // The same as above continues.
                     Some(last) if (last.1 - clearance).abs() <= SAME_RADIUS => last.0 = to,
@@ -352,14 +339,6 @@ pub(super) mod tests {
                 drills,
             };
             let bit = in_hole.contact(0.0);
-            let corners = in_hole.clearances();
-            let [.., (_, along)] = corners[..] else {
-                panic!("{corners:?}");
-            };
-            assert!(
-                (1e3 * along - bit.clearance_mm.unwrap()).abs() < 1e-6,
-                "{corners:?}"
-            );
             (bit.radius, bit.clearance_mm)
         };
         let named = Some("12 1/4 in PDC bit");

@@ -28,6 +28,7 @@ mod lying;
 mod map;
 mod methods;
 mod motor;
+mod motor_stall;
 mod sampling;
 mod setting;
 mod sheet;

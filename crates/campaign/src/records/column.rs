@@ -10,6 +10,7 @@ use sim::{
 use super::field::{Field, Kind};
 use super::record::Record;
 use super::verdict::{Certainty, MotionVerdict};
+use super::wall_push::WallPush;
 use crate::quantities::{RPM, Unit, Units};
 
 /// Columns that a table has together, or not at all.
@@ -31,6 +32,8 @@ pub enum Group {
     String,
     /// A mud motor above the bit.
     Motor,
+    /// How deep walls give way.
+    Wall,
     /// What is certain, where labels are certified: what the method says by shorter steps, as far
     /// as it matters to that, and whether the labels of the row are certain.
     Certificate,
@@ -211,6 +214,11 @@ impl<'a> RecordRow<'a> {
     pub(super) fn motor_stalled_fraction(&self) -> Option<f64> {
         self.torsion()
             .and_then(|torsion| torsion.motor_stalled_fraction)
+    }
+
+    /// The deepest push into a wall, where there was one.
+    pub fn wall_push(&self) -> Option<WallPush> {
+        self.record.wall_push
     }
 
     /// Whether the mud motor stalls in the closing window, where there is one.

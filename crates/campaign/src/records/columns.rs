@@ -23,7 +23,7 @@ pub fn is_of_results(name: &str) -> bool {
 }
 
 /// All columns of results, in their order. Those of what cases are held against, which a sweep
-/// names itself, follow [`Group::Motor`].
+/// names itself, follow [`Group::Wall`].
 pub static COLUMNS: &[ResultColumn] = &[
     text("torsion", "Torsion", |row| row.label(Motion::Torsion)).of(Motion::Torsion),
     text("lateral", "Lateral motion", |row| {
@@ -452,6 +452,50 @@ pub static COLUMNS: &[ResultColumn] = &[
     .of(Motion::Torsion)
     .group(Group::Motor)
     .measure(),
+    number(
+        PUSH_COLUMNS[0],
+        "mm",
+        "Greatest depth to which a wall gives way",
+        |row| row.wall_push().map(|it| to_mm(it.depth)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Wall)
+    .measure(),
+    number(
+        PUSH_COLUMNS[1],
+        "m",
+        "Place of the greatest depth to which a wall gives way, from the bit",
+        |row| row.wall_push().map(|it| it.from_bit).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Wall),
+    number(PUSH_COLUMNS[2], "kN", "Normal force there", |row| {
+        row.wall_push().and_then(|it| it.force).map(to_kn).into()
+    })
+    .of(Motion::Lateral)
+    .group(Group::Wall)
+    .measure(),
+    number(
+        PUSH_COLUMNS[3],
+        "MPa",
+        "Mean pressure on the wall there",
+        |row| {
+            row.wall_push()
+                .and_then(|it| it.pressure)
+                .map(to_mpa)
+                .into()
+        },
+    )
+    .of(Motion::Lateral)
+    .group(Group::Wall)
+    .measure(),
+    flag(
+        PUSH_COLUMNS[4],
+        "Rock of the wall would break there",
+        |row| row.wall_push().and_then(|it| it.breaks).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Wall),
     text("finer_torsion", "Torsion by shorter steps", |row| {
         row.finer_label(Motion::Torsion)
     })
@@ -544,6 +588,15 @@ pub static COLUMNS: &[ResultColumn] = &[
 
 /// The column of the speed above the one-slip estimate of stick-slip (Eq. 74).
 pub const STICK_SLIP_MARGIN: &str = "stick_slip_margin_rpm";
+/// The columns of the deepest push into a wall: its depth, its place, force and mean pressure there,
+/// and whether that breaks the rock.
+pub const PUSH_COLUMNS: [&str; 5] = [
+    "wall_penetration_mm",
+    "wall_penetration_from_bit_m",
+    "wall_force_kn",
+    "wall_pressure_mpa",
+    "wall_breaks",
+];
 /// The column of whether the mud motor stalls.
 pub const MOTOR_STALLED: &str = "motor_stalled";
 /// The column of the sites that were found.

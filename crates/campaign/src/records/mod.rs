@@ -18,13 +18,15 @@ mod field;
 mod measure;
 mod record;
 mod verdict;
+mod wall_push;
 
 pub use column::{Group, Needs, RecordRow, ResultColumn, to_kn, to_m_h, to_mm, to_rpm, to_turns};
 pub use columns::{
-    COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, OLD_PREDICTED,
+    COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, OLD_PREDICTED, PUSH_COLUMNS,
     STICK_SLIP_MARGIN, is_of_results,
 };
 pub use field::{Field, Kind};
 pub use measure::Measure;
 pub use record::{ByStart, Failure, Found, Record, certified};
 pub use verdict::{Certainty, FINER, MotionVerdict, Verdict, certainty, verdict};
+pub use wall_push::{WallPush, strength};

@@ -7,6 +7,7 @@ use sim::{Labels, Motion, Outcome, TorsionRegime};
 use thiserror::Error;
 
 use super::verdict::{Verdict, certified_by, verdict};
+use super::wall_push::WallPush;
 
 /// Why a case has no answer, in a line of text. It is no enum: most of it are the words
 /// of a linear method, of the simulator or of the sweep file, and a log is read long after
@@ -68,6 +69,9 @@ pub struct Record {
     /// The site of the greatest acceleration sideways, m from the bit, where that is measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shock_from_bit_m: Option<f64>,
+    /// The deepest push into a wall, where there was one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wall_push: Option<WallPush>,
     /// How far it is from what was recorded, in the order of the comparisons; none where it does
     /// not reach that.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -107,6 +111,7 @@ impl Record {
             above_limit: None,
             site_from_bit_m: None,
             shock_from_bit_m: None,
+            wall_push: None,
             misfits: Vec::new(),
             finer: None,
             agrees_nearby: None,

@@ -41,6 +41,9 @@ pub struct About {
     /// Whether it has columns of a mud motor.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub shows_motor: bool,
+    /// Whether it has columns of how deep walls give way.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shows_wall: bool,
     /// Its columns of what cases are held against.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub misfits: Vec<String>,
@@ -88,6 +91,7 @@ impl About {
             shows_surface: shows_surface(sweep),
             shows_string_torque: shows_string_torque(sweep),
             shows_motor: sweep.setting.motor.is_some(),
+            shows_wall: sweep.setting.lateral.is_some(),
             misfits: LabelTable::of(sweep)
                 .misfits
                 .into_iter()
@@ -114,6 +118,7 @@ impl About {
             shows_surface: self.shows_surface,
             shows_string_torque: self.shows_string_torque,
             shows_motor: self.shows_motor,
+            shows_wall: self.shows_wall,
             misfits: self.misfits.iter().map(String::as_str).collect(),
             certifying: self.certifying,
             shows_starts: self.shows_starts,

@@ -2,7 +2,7 @@
 
 use sim::{Label, Labels};
 
-use campaign::records::Certainty;
+use campaign::records::{Certainty, WallPush};
 
 /// What is read back of a row: enough to draw it or to run it again.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +31,8 @@ pub struct LabelRow {
     pub found: Option<[usize; 2]>,
     /// Whether the mud motor above the bit stalls, where there is one.
     pub motor_stalled: Option<bool>,
+    /// The deepest push into a wall, where there was one.
+    pub wall_push: Option<WallPush>,
     /// Whether the case failed.
     pub failed: bool,
 }
@@ -52,6 +54,7 @@ impl LabelRow {
             certainty: Certainty::default(),
             found: None,
             motor_stalled: None,
+            wall_push: None,
             failed: false,
         }
     }

@@ -9,7 +9,7 @@ use super::label_row::LabelRow;
 use super::recorded_rows::RecordedRows;
 use campaign::records::{
     Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, Measure, OLD_PREDICTED,
-    ResultColumn, STICK_SLIP_MARGIN,
+    PUSH_COLUMNS, ResultColumn, STICK_SLIP_MARGIN, WallPush,
 };
 
 use campaign::quantities::Axis;
@@ -30,7 +30,8 @@ pub fn misfit_columns(path: &Path) -> Result<Vec<String>> {
 
 /// Where the columns are that are read back: `case`, `method`, the axes and measures asked
 /// for, `torsion` and, if they are there, `lateral`, `predicted`, misfits, certainties,
-/// the margin to Eq. 74, found sites, `motor_stalled` and `status`; others are ignored.
+/// the margin to Eq. 74, found sites, `motor_stalled`, pushes into walls and `status`; others are
+/// ignored.
 pub struct LabelColumns {
     case: usize,
     method: usize,
@@ -43,6 +44,7 @@ pub struct LabelColumns {
     certainty: PerMotion<Option<usize>>,
     found: [Option<usize>; 2],
     motor_stalled: Option<usize>,
+    wall_push: [Option<usize>; 5],
     status: Option<usize>,
 }
 
@@ -130,6 +132,13 @@ impl LabelColumns {
             certainty: of_motions(ResultColumn::certainty_of)?,
             found: [place(FOUND_SITES)?, place(FOUND_ROUNDS)?],
             motor_stalled: place(MOTOR_STALLED)?,
+            wall_push: {
+                let mut places = [None; 5];
+                for (place_of, name) in places.iter_mut().zip(PUSH_COLUMNS) {
+                    *place_of = place(name)?;
+                }
+                places
+            },
             status: place("status")?,
         })
     }
@@ -184,6 +193,17 @@ impl LabelColumns {
                 rounds.parse().ok().map(|rounds| [sites, rounds])
             },
             motor_stalled: optional(self.motor_stalled).parse().ok(),
+            wall_push: {
+                let [depth, from_bit, force, pressure, breaks] = self.wall_push.map(optional);
+                let of = |text: &str, unit: f64| number(text).ok().map(|value| unit * value);
+                (of(depth, 1e-3).zip(of(from_bit, 1.0))).map(|(depth, from_bit)| WallPush {
+                    from_bit,
+                    depth,
+                    force: of(force, 1e3),
+                    pressure: of(pressure, 1e6),
+                    breaks: breaks.parse().ok(),
+                })
+            },
             failed: optional(self.status) == FAILED,
         })
     }

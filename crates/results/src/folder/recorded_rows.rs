@@ -128,6 +128,7 @@ impl RecordedRows {
             certainty,
             found: (record.found.as_ref()).map(|found| [found.sites.len(), found.rounds]),
             motor_stalled: row.motor_stalled(),
+            wall_push: row.wall_push(),
             failed: outcome.is_err(),
         })
     }

@@ -97,6 +97,9 @@ impl<'a> TableWriter<'a> {
         }
         let stalled = RecordRow::new(record, certainty).motor_stalled();
         (self.tally).add_motor(method, stalled, labels);
+        if let Some(push) = record.wall_push {
+            (self.tally).add_push(method, push);
+        }
         if let Some(found) = &record.found {
             (self.tally).add_found(method, [found.sites.len(), found.rounds]);
         }

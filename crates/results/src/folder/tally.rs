@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 use sim::Label;
 
-use campaign::records::Certainty;
+use campaign::quantities::Units;
+use campaign::records::{Certainty, WallPush};
 
 use campaign::words::counted;
 use sim::{Labels, Motion, TorsionRegime};
@@ -34,6 +35,9 @@ pub struct Tally {
     /// Rows below a mud motor, per method, and in how many of them it stalls.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub motor: BTreeMap<String, MotorStalls>,
+    /// Pushes into walls, per method, where walls give way.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub wall: BTreeMap<String, WallPushes>,
     /// Rows without an answer.
     pub failed: usize,
     /// Settled rows that were followed to the end, and those of them whose label
@@ -41,6 +45,17 @@ pub struct Tally {
     pub settled_checked: usize,
     /// See `settled_checked`.
     pub settled_wrong: usize,
+}
+
+/// Pushes into walls by a method.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct WallPushes {
+    /// Cases in which a wall gave way.
+    pub cases: usize,
+    /// Those of them in which its rock would break.
+    pub breaking: usize,
+    /// The deepest.
+    pub deepest: WallPush,
 }
 
 /// Stalls of the mud motor by a method.
@@ -179,8 +194,45 @@ impl Tally {
         motor.stalled_and_smooth += usize::from(stalled && is_smooth);
     }
 
+    /// Notes on all cases together, in a sentence for each method: walls that would break, mud motors
+    /// that stall, sites that were found.
+    pub fn notes(&self, units: Units) -> impl Iterator<Item = String> {
+        (self.wall_words(units))
+            .chain(self.motor_words())
+            .chain(self.found_words())
+    }
+
+    /// Counts the deepest push of a case into a wall by a method.
+    pub fn add_push(&mut self, method: &str, push: WallPush) {
+        let wall = self.wall.entry(method.to_owned()).or_insert(WallPushes {
+            cases: 0,
+            breaking: 0,
+            deepest: push,
+        });
+        wall.cases += 1;
+        wall.breaking += usize::from(push.breaks == Some(true));
+        if push.depth > wall.deepest.depth {
+            wall.deepest = push;
+        }
+    }
+
+    /// In how many cases the rock of a wall would break, in a sentence for each method; none where it
+    /// bears all pushes.
+    fn wall_words(&self, units: Units) -> impl Iterator<Item = String> {
+        let breaking = self.wall.iter().filter(|(_, found)| found.breaking > 0);
+        breaking.map(move |(method, found)| {
+            let cases = counted(found.cases, "case");
+            format!(
+                "warning: {method}: in {} of {cases} that press on a wall its rock would break, and the \
+                 hole is no longer that of the model; the deepest push: {}",
+                found.breaking,
+                found.deepest.words(units)
+            )
+        })
+    }
+
     /// In how many cases the mud motor stalls, in a sentence for each method; none without a motor.
-    pub fn motor_words(&self) -> impl Iterator<Item = String> {
+    fn motor_words(&self) -> impl Iterator<Item = String> {
         self.motor.iter().map(|(method, found)| {
             let MotorStalls {
                 cases,
@@ -198,7 +250,7 @@ impl Tally {
 
     /// In how many cases sites were found, how many at most and in how many rounds, in a sentence
     /// for each method; none where they were not looked for.
-    pub fn found_words(&self) -> impl Iterator<Item = String> {
+    fn found_words(&self) -> impl Iterator<Item = String> {
         self.found_sites.iter().map(|(method, found)| {
             let cases = counted(found.cases, "case");
             match found.cases_with_sites {

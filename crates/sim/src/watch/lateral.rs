@@ -51,6 +51,9 @@ with_words! {
     }
 }
 
+/// Depths in a wall below this part of its clearance are rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// What a person would ask of the lateral motion, of the site that decides the label.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -79,12 +82,24 @@ pub struct LateralMeasures {
     pub mean_normal_force: f64,
     /// Steps of all sites that had several solutions.
     pub ambiguous_steps: usize,
+    /// The deepest push into a wall in all the time, at any site; none without a push.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub deepest: Option<Penetration>,
     /// How a string that lies in its hole swings there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lying: Option<LyingMeasures>,
     /// What tools in the string feel, where that is measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shocks: Option<ShockMeasures>,
+}
+
+/// A push of the string into its wall.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Penetration {
+    /// How much further than its clearance the string's centre is from the middle, m.
+    pub depth: f64,
+    /// The site, from the surface down.
+    pub site: usize,
 }
 
 /// What a person would ask of a string that lies in its hole, of the site that decides the label.
@@ -178,6 +193,8 @@ pub(crate) struct WallWatch {
     closing: Vec<SiteSums>,
     /// Squares of the largest radii, m².
     furthest: Vec<f64>,
+    /// The clearance of each site, m; nothing where it is not known.
+    clearances: Vec<f64>,
     surface_speed: f64,
     steps: usize,
     /// Of a string that lies in its hole.
@@ -205,10 +222,19 @@ impl WallWatch {
             ambiguous: 0,
             closing: vec![SiteSums::default(); sites],
             furthest: vec![0.0; sites],
+            clearances: Vec::new(),
             surface_speed,
             steps,
             swings: None,
             shocks: None,
+        }
+    }
+
+    /// The same, which measures how deep walls give way.
+    pub(crate) fn of_walls<W: WallLaw>(self, walls: &[W]) -> Self {
+        Self {
+            clearances: walls.iter().map(WallLaw::clearance).collect(),
+            ..self
         }
     }
 
@@ -313,6 +339,7 @@ impl WallWatch {
         let sums = &closing[site];
         let in_contact = (sums.contact as f64).max(1.0);
         LateralMeasures {
+            deepest: self.deepest(),
             lying,
             shocks: self.shocks.as_ref().and_then(ShockWatch::measures),
             regime,
@@ -327,6 +354,18 @@ impl WallWatch {
             mean_normal_force: sums.normal_force / in_contact,
             ambiguous_steps: self.ambiguous,
         }
+    }
+
+    /// The deepest push into a wall so far.
+    fn deepest(&self) -> Option<Penetration> {
+        let walls = self.clearances.iter().zip(&self.furthest).enumerate();
+        let pushes = walls.map(|(site, (clearance, square))| Penetration {
+            depth: square.sqrt() - clearance,
+            site,
+        });
+        let deepest = pushes.max_by(|one, other| one.depth.total_cmp(&other.depth));
+        // A rigid wall gives way by rounding alone.
+        deepest.filter(|push| push.depth > ROUNDING * self.clearances[push.site])
     }
 
     /// The site that decides, of a string that hangs in the middle of its hole, and the regime.

@@ -172,11 +172,7 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     text += &depends_on(manifest);
     text += &damped_whirl(manifest);
     text += &not_examined(manifest);
-    for words in manifest
-        .tally
-        .motor_words()
-        .chain(manifest.tally.found_words())
-    {
+    for words in manifest.tally.notes(manifest.sweep.units) {
         text += &wrapped(&words, 2, 4);
     }
     if let Some(trace) = &manifest.trace {

@@ -119,7 +119,7 @@ fn vibration_line(sweep: &Sweep, simulation: &Simulation) -> String {
     let lowest = sweep.setting.string.sections().last();
     let bit = lowest.and_then(|section| section.parts.last());
     let words = vibration.zip(bit).map(|(vibration, bit)| {
-        let words = vibration.in_words(bit.outer_radius);
+        let words = vibration.in_words(sweep.bit_radius().unwrap_or(bit.outer_radius));
         wrapped(&format!("{}: {words}", simulation.name), 2, 4)
     });
     words.unwrap_or_default()
@@ -127,7 +127,8 @@ fn vibration_line(sweep: &Sweep, simulation: &Simulation) -> String {
 
 fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {
     let units = sweep.content.units;
-    let answers = measures(&simulation.answer, simulation.site_from_bit_m, units);
+    let mut answers = measures(&simulation.answer, simulation.site_from_bit_m, units);
+    answers.extend(simulation.wall_push.map(|push| push.sentence(units)));
     let name = &simulation.name;
     let mut text: String = (answers.iter())
         .map(|answer| wrapped(&format!("{name}: {answer}"), 2, 4))

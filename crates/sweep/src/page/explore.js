@@ -221,7 +221,8 @@ function show(answer, lines, method, isQuick) {
     ? `By ${method} while you drag; by ${data.method} when you let go. ${Math.round(milliseconds)} ms.`
     : `By ${method}, as sweep simulate has it. ${Math.round(milliseconds)} ms.`;
   if (data.slow && method !== data.slow) byId("status").textContent += SLOW;
-  byId("regime").textContent = [row.torsion, row.axial, row.lateral].filter((label) => label).map(number).join(", ");
+  const warnings = [row.motor_stalled === "true" && "the mud motor stalls", row.wall_breaks === "true" && "the wall would break"];
+  byId("regime").textContent = [row.torsion, row.axial, row.lateral, ...warnings].filter((label) => label).map(number).join(", ");
   byId("row").replaceChildren();
   for (const [name, value] of Object.entries(row)) {
     if (value === null || ["case", "method", "torsion", "axial", "lateral"].includes(name) || name in values) continue;

@@ -77,8 +77,7 @@ fn regimes(all: &[Results]) -> Vec<Block> {
         Block::Picture { html, table }
     });
     let found = all.iter().flat_map(|results| {
-        let tally = &results.manifest.tally;
-        let words = tally.motor_words().chain(tally.found_words());
+        let words = results.manifest.tally.notes(results.manifest.sweep.units);
         words.map(|words| note(all, results, format!("{words}.")))
     });
     tables.chain(found).collect()

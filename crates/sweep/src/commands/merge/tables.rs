@@ -115,6 +115,9 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
         );
         tally.add_margin(&row.method, row.labels, row.stick_slip_margin);
         tally.add_motor(&row.method, row.motor_stalled, row.labels);
+        if let Some(push) = row.wall_push {
+            tally.add_push(&row.method, push);
+        }
         if let Some(found) = row.found {
             tally.add_found(&row.method, found);
         }
