@@ -60,7 +60,8 @@ impl Label {
     /// a bistable case has; `None` for a case too short to tell.
     pub fn is_sustained(self) -> Option<bool> {
         match self {
-            Label::Torsion(TorsionRegime::Stuck) => None,
+            Label::Torsion(TorsionRegime::Stuck | TorsionRegime::Undetermined)
+            | Label::Lateral(LateralRegime::FadingSwing) => None,
             Label::Torsion(regime) => Some(regime != TorsionRegime::Smooth),
             Label::Axial(regime) => Some(regime != AxialRegime::Steady),
             Label::Lateral(regime) => Some(matches!(

@@ -7,10 +7,10 @@ use crate::label::{Label, Labels};
 use crate::motion::{Motion, PerMotion};
 use crate::watch::along::StringTorque;
 use crate::watch::axial::AxialMeasures;
-use crate::watch::lateral::LateralMeasures;
+use crate::watch::lateral::{LateralMeasures, LateralRegime};
 use crate::watch::stress::StressMeasures;
 use crate::watch::surface::SurfaceMeasures;
-use crate::watch::torsion::TorsionMeasures;
+use crate::watch::torsion::{TorsionMeasures, TorsionRegime};
 use crate::words::with_words;
 
 /// What a simulation may leave out.
@@ -127,6 +127,31 @@ impl Outcome {
     /// The regime of each motion.
     pub fn labels(&self) -> Labels {
         Labels::from_fn(|motion| self.measures[motion].as_ref().map(Measures::label))
+    }
+
+    /// Whether a motion was still fading when its time ended, so that its label may be another one
+    /// later.
+    pub fn fades(&self) -> bool {
+        let torsion = self.torsion().is_some_and(|torsion| torsion.fades);
+        let lying = self.lateral().and_then(|lateral| lateral.lying);
+        torsion || lying.is_some_and(|lying| lying.fades)
+    }
+
+    /// The same outcome, in which motions that fade have undetermined labels.
+    #[must_use]
+    pub fn undetermined(mut self) -> Self {
+        for motion in Motion::ALL {
+            match &mut self.measures[motion] {
+                Some(Measures::Torsion(torsion)) if torsion.fades => {
+                    torsion.regime = TorsionRegime::Undetermined;
+                }
+                Some(Measures::Lateral(lateral)) if lateral.lying.is_some_and(|it| it.fades) => {
+                    lateral.regime = LateralRegime::FadingSwing;
+                }
+                _ => {}
+            }
+        }
+        self
     }
 
     /// Itself, unless what was measured is no number: squares and sums of finite

@@ -4,6 +4,7 @@ use sim::Trajectory;
 
 use super::case::Case;
 use super::finding::find_sites;
+use super::longer::followed;
 use super::nearby::certify;
 use super::run_options::RunOptions;
 use super::systems::MethodSystem;
@@ -21,8 +22,23 @@ pub fn answer(
 ) -> Record {
     let lateral = system.setting.lateral.as_ref();
     if let Some(finding) = lateral.and_then(|lateral| lateral.finding.as_ref()) {
-        return find_sites(system, finding, case, method, options, sweep);
+        return followed(system, case, sweep, |system, case| {
+            find_sites(system, finding, case, method, options, sweep)
+        });
     }
+    followed(system, case, sweep, |system, case| {
+        answer_in_its_time(system, case, method, options, sweep)
+    })
+}
+
+/// The record of a case at the sites of its system, to the end of its time.
+fn answer_in_its_time(
+    system: &MethodSystem,
+    case: &Case,
+    method: usize,
+    options: RunOptions,
+    sweep: &Sweep,
+) -> Record {
     // What is measured of a motion, or held against a recording, is followed to the end.
     let is_kept = sweep.keeps_motion() || system.needs_motion();
     let mut motion = is_kept.then(Trajectory::default);

@@ -149,6 +149,13 @@ impl Case {
         second.flatten().unwrap_or_else(first)
     }
 
+    /// The same case that lasts a number of times as long.
+    pub(super) fn lasting(&self, times: f64) -> Self {
+        let mut case = self.clone();
+        case.scene.timing.duration *= times;
+        case
+    }
+
     /// The same case as it begins the other way, where it begins both ways.
     pub fn begun_otherwise(&self) -> Option<Self> {
         (self.starts.name == StartName::Both).then(|| Self {

@@ -5,6 +5,7 @@ use sim::{Outcome, Stopping, Trajectory};
 
 use super::answer::answer;
 use super::case::Case;
+use super::longer::reached;
 use super::run_options::RunOptions;
 use super::simulation::Simulation;
 use super::systems::{MethodSystem, Recipe};
@@ -65,7 +66,7 @@ impl FollowedMethod {
         let Ok(answer) = row.outcome else {
             return Ok((row, None));
         };
-        let (trajectory, followed) = self.follow(case)?;
+        let (trajectory, followed) = self.follow(sweep, case, &row)?;
         let name_of_method = self.case.method.name();
         let simulation = Simulation {
             case: case.index,
@@ -80,10 +81,12 @@ impl FollowedMethod {
         Ok((row, Some(simulation)))
     }
 
-    /// The motion of a case to the end of its time.
-    fn follow(&self, case: &Case) -> Result<(Trajectory, Outcome)> {
-        let (mut motion, outcome) = whole(&self.case, case)?;
-        self.case.add_surface_torque(case, &mut motion);
+    /// The motion of a case to the end of its time, or of that for which it was followed.
+    fn follow(&self, sweep: &Sweep, case: &Case, row: &Record) -> Result<(Trajectory, Outcome)> {
+        let (system, case) = reached(&self.case, case, sweep, row);
+        let case = case.as_ref();
+        let (mut motion, outcome) = whole(system, case)?;
+        system.add_surface_torque(case, &mut motion);
         let driven = match &self.watched {
             None => None,
             // A drive whose torque is limited turns all places.

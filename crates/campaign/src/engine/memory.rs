@@ -9,6 +9,7 @@ use super::along::Along;
 use super::dry_run::ask;
 use super::finding::most_sites;
 use super::finer::finer_frequency;
+use super::longer;
 use super::system_plan::SystemPlan;
 use super::tools;
 use super::whole_string::whole_string;
@@ -23,13 +24,15 @@ pub struct StringMemory {
     pub case: f64,
     /// The longest response asked for, in taps, where no method gives one so long.
     pub too_long: Option<f64>,
+    /// How many times as long as the rule says cases are followed, at most, where they fade.
+    pub times: f64,
 }
 
 impl StringMemory {
     /// Of the cases of a sweep, up to the longest time (s). Methods are built side by side,
     /// with the shorter steps of those among them that certify labels.
     pub fn of(sweep: &Sweep, setting: &Setting, methods: &[Method], longest_time: f64) -> Self {
-        let of_method = |method| Self::of_method(sweep, setting, method, longest_time);
+        let of_method = |method| Self::of_followed(sweep, setting, method, longest_time);
         let places = sweep.certifying.into_iter().flatten();
         let finer = places.filter_map(|place| methods.get(place)).map(|method| {
             let setting = setting.by(method);
@@ -40,6 +43,23 @@ impl StringMemory {
             systems: all.systems.and(one.systems),
             case: all.case.max(one.case),
             too_long: (all.too_long.into_iter().chain(one.too_long)).reduce(f64::max),
+            times: all.times.max(one.times),
+        })
+    }
+
+    /// By a method, with what is built where a case is followed for longer.
+    fn of_followed(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
+        let own = Self::of_method(sweep, setting, method, longest_time);
+        let longer = longer::memory(sweep, setting, method, longest_time);
+        let longer = longer.into_iter().zip(longer::TIMES);
+        longer.fold(Self { times: 1.0, ..own }, |all, (longer, times)| match longer {
+            None => all,
+            Some(longer) => Self {
+                systems: all.systems.then(longer.systems),
+                case: all.case.max(longer.case),
+                times,
+                ..all
+            },
         })
     }
 
@@ -55,7 +75,12 @@ impl StringMemory {
         own
     }
 
-    fn at_sites(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
+    pub(super) fn at_sites(
+        sweep: &Sweep,
+        setting: &Setting,
+        method: &Method,
+        longest_time: f64,
+    ) -> Self {
         let plan = SystemPlan {
             setting,
             method,
@@ -66,7 +91,7 @@ impl StringMemory {
             Ok((systems, case)) => Self {
                 systems,
                 case,
-                too_long: None,
+                ..Self::default()
             },
             Err(BuildError::TooManyTaps { taps, .. }) => Self {
                 too_long: Some(taps),

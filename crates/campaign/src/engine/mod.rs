@@ -32,6 +32,7 @@ mod idle_axis;
 mod instability;
 mod limit;
 mod limited;
+mod longer;
 mod memory;
 mod nearby;
 mod rubbing;

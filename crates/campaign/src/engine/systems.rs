@@ -1,6 +1,7 @@
 //! The linear system of each method, built once for all cases.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::OnceLock;
 
 use anyhow::Result;
 use linear::deviation::exact_undershoot;
@@ -16,6 +17,7 @@ use super::case::Case;
 use super::case_error::CaseError;
 use super::front::{Front, WrongFront};
 use super::instability::{Instability, is_unstable};
+use super::longer;
 use super::run_options::RunOptions;
 use super::stress;
 use super::system_plan::SystemPlan;
@@ -63,6 +65,8 @@ pub struct MethodSystem {
     rates: Option<RatesAtPlaces>,
     /// The same by steps that are shorter, where labels are certified.
     finer: Option<Box<MethodSystem>>,
+    /// The same for longer times, where a case has asked for them ([`longer::TIMES`]).
+    longer: [OnceLock<Option<Box<MethodSystem>>>; longer::TIMES.len()],
 }
 
 impl MethodSystem {
@@ -259,6 +263,19 @@ impl MethodSystem {
         Ok(())
     }
 
+    /// The same for cases of a sweep that are followed for longer, by a place in
+    /// [`longer::TIMES`]; none where that takes too much memory.
+    pub(super) fn longer(&self, sweep: &Sweep, place: usize) -> Option<&Self> {
+        let system = self.longer[place].get_or_init(|| {
+            let longest = self.responses.longest_time;
+            longer::memory(sweep, &self.setting, &self.method, longest)[place]?;
+            let longest = longer::TIMES[place] * longest;
+            let system = Recipe::of(sweep, &self.setting, self.method, longest).build();
+            system.ok().map(Box::new)
+        });
+        system.as_deref()
+    }
+
     /// What it was built from, as far as the string's bending and the surface's torque go.
     fn plan(&self) -> SystemPlan<'_> {
         SystemPlan {
@@ -314,6 +331,7 @@ impl MethodSystem {
         };
         let (stuck, smooth) = (torsion.regime, other.regime);
         torsion.regime = TorsionRegime::from_two_starts(stuck, smooth);
+        torsion.fades |= other.fades;
         // What was predicted is of the first start.
         if outcome.predicted == Some(Label::Torsion(stuck)) {
             outcome.predicted = Some(Label::Torsion(torsion.regime));

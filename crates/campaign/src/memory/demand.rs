@@ -134,15 +134,17 @@ impl<'a> Demand<'a> {
     pub fn cost(&self, strings_at_once: usize) -> Cost {
         let mut systems = Need::default();
         let mut case: f64 = 0.0;
+        let mut times: f64 = 1.0;
         let mut too_long = None;
         for (index, (setting, longest)) in self.strings.iter().enumerate() {
             let string = StringMemory::of(self.sweep, setting, &self.methods, *longest);
             let count = if index == 0 { 1 } else { strings_at_once };
             systems = systems.then(string.systems.times(count));
             case = case.max(string.case);
+            times = times.max(string.times);
             too_long = too_long.or(string.too_long);
         }
-        let bytes = self.own() + ALLOCATOR * systems.then(self.use_of(case)).peak;
+        let bytes = self.own() + ALLOCATOR * systems.then(self.use_of(case, times)).peak;
         Cost { bytes, too_long }
     }
 
@@ -178,14 +180,15 @@ impl<'a> Demand<'a> {
         (self.sweep.design.cases() * self.methods.len()) as f64
     }
 
-    /// What is done with the systems, when a case takes `case` bytes.
-    fn use_of(&self, case: f64) -> Need {
+    /// What is done with the systems, when a case takes `case` bytes and is followed up to a number of
+    /// times as long.
+    fn use_of(&self, case: f64, times: f64) -> Need {
         let (setting, longest) = &self.strings[0];
         let frequencies = self
             .methods
             .iter()
             .map(|method| setting.frequency_by(method));
-        let steps = sim::plan::steps(*longest, frequencies.fold(0.0, f64::max));
+        let steps = sim::plan::steps(times * longest, frequencies.fold(0.0, f64::max));
         let sites = setting.sites.len();
         let methods = self.methods.len() as f64;
         let of_site = match setting.lateral {

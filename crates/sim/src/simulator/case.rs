@@ -204,7 +204,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
     }
 
     /// A case that begins with a steady motion has no first slip to wait for.
-    fn torsion(&self) -> Option<TorsionMeasures> {
+    fn torsion(&self, end: &End) -> Option<TorsionMeasures> {
         let watch = self.watch.bit.as_ref()?;
         let motor = self.watch.motor.as_ref();
         let faster = motor.map_or(0.0, MotorWatch::mean_relative_speed);
@@ -212,6 +212,8 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
         Some(TorsionMeasures {
             first_slip: (measures.first_slip).filter(|_| self.scene.start == Start::Rest),
             motor_stalled_fraction: motor.map(MotorWatch::stalled_fraction),
+            // Settled motion changes by no more than it may.
+            fades: measures.fades && end.ended == Ended::End && end.predicted.is_none(),
             ..measures
         })
     }
@@ -234,7 +236,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
             ended: end.ended,
             predicted: end.predicted,
             measures: PerMotion::from_fn(|motion| match motion {
-                Motion::Torsion => self.torsion().map(Measures::Torsion),
+                Motion::Torsion => self.torsion(&end).map(Measures::Torsion),
                 Motion::Lateral => lateral.map(Measures::Lateral),
                 Motion::Axial => self.axial().map(Measures::Axial),
             }),

@@ -11,7 +11,7 @@
 //! let labels = LateralRegime::ALL.map(LateralRegime::name);
 //! assert_eq!(labels[..4], ["no_contact", "transient_contact", "backward_whirl", "forward_whirl"]);
 //! // Of strings that lie on the low side of their hole, which may whirl, too.
-//! assert_eq!(labels[4..], ["low_side", "snaking"]);
+//! assert_eq!(labels[4..], ["low_side", "snaking", "fading_swing"]);
 //! // A touch that does not last, or that does not go round, is no whirl.
 //! let is_whirl = |regime: LateralRegime| Label::Lateral(regime).is_sustained();
 //! assert_eq!(is_whirl(LateralRegime::TransientContact), Some(false));
@@ -48,6 +48,8 @@ with_words! {
         LowSide = "low_side",
         /// It swings to either side of where it lies, and does not go round.
         Snaking = "snaking",
+        /// It swings so, ever less, as far as it is followed: undetermined.
+        FadingSwing = "fading_swing",
     }
 }
 
@@ -115,6 +117,9 @@ pub struct LyingMeasures {
     pub swing_frequency: f64,
     /// Greatest angle of any site away from the low side in all, rad.
     pub greatest_angle: f64,
+    /// Whether it snakes ever less: longer simulated, it may lie still.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub fades: bool,
 }
 
 fn is_zero(rate: &f64) -> bool {
@@ -332,6 +337,8 @@ impl WallWatch {
                     swing_amplitude: swing.amplitude,
                     swing_frequency: swing.frequency,
                     greatest_angle: furthest.fold(0.0, f64::max),
+                    fades: regime == LateralRegime::Snaking
+                        && swing.lasting < 1.0 - self.rules.settling_tolerance,
                 };
                 (site, regime, Some(measures))
             }

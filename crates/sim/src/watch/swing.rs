@@ -23,6 +23,8 @@ pub(crate) struct Swing {
     pub(crate) frequency: f64,
     /// Turns round the hole, positive where it climbs on.
     pub(crate) turns: f64,
+    /// Amplitude in the second half of the closing window, as a part of that in the first.
+    pub(crate) lasting: f64,
 }
 
 /// The angles of all sites.
@@ -98,20 +100,28 @@ impl SwingWatch {
                 amplitude: 0.0,
                 frequency: 0.0,
                 turns: 0.0,
+                lasting: 1.0,
             };
         };
         let mean = angles.iter().sum::<f64>() / angles.len() as f64;
-        let least = angles.iter().copied().fold(f64::INFINITY, f64::min);
-        let greatest = angles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let amplitude = 0.5 * (greatest - least);
+        let amplitude = half_range(angles);
+        let (first_half, second_half) = angles.split_at(angles.len() / 2);
         Swing {
             climb: within_half_a_turn(mean),
             amplitude,
             frequency: crossings_per_sample(angles, mean, amplitude) * sampling_frequency
                 / self.stride as f64,
             turns: (last - first) / TAU,
+            lasting: half_range(second_half) / half_range(first_half),
         }
     }
+}
+
+/// Half of what lies between the least and the greatest of some angles.
+fn half_range(angles: &[f64]) -> f64 {
+    let least = angles.iter().copied().fold(f64::INFINITY, f64::min);
+    let greatest = angles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    0.5 * (greatest - least)
 }
 
 /// How often a series passes its mean upwards, per sample: between the first and the last time.

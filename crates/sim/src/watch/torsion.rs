@@ -34,6 +34,8 @@ with_words! {
         /// Either, as the motion began: recaptured again and again from one start, turning on
         /// from another. No single simulation has it.
         Bistable = "bistable",
+        /// Recaptured again and again, for ever shorter, as far as it is followed: undetermined.
+        Undetermined = "undetermined",
     }
 }
 
@@ -42,6 +44,7 @@ impl TorsionRegime {
     pub fn from_two_starts(one: Self, other: Self) -> Self {
         match (one, other) {
             (Self::Stuck, _) | (_, Self::Stuck) => Self::Stuck,
+            (Self::Undetermined, _) | (_, Self::Undetermined) => Self::Undetermined,
             _ if one == other => one,
             _ => Self::Bistable,
         }
@@ -76,6 +79,9 @@ pub struct TorsionMeasures {
     /// its stall torque, and the bit turns with the string; none without a motor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motor_stalled_fraction: Option<f64>,
+    /// Whether it sticks for ever shorter: longer simulated, it may turn on.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub fades: bool,
 }
 
 impl TorsionMeasures {
@@ -125,6 +131,26 @@ impl Alike {
     }
 }
 
+/// Times in which the bit was stuck, each shorter than all before, that make stick-slip fade. Of
+/// stick-slip that lasts they scatter, and two such in a row are rare.
+const EVER_SHORTER: usize = 2;
+
+/// How often in a row the bit was stuck for a shorter time than ever before.
+#[derive(Debug, Clone, Default)]
+struct Shorter {
+    least: Option<usize>,
+    count: usize,
+}
+
+impl Shorter {
+    /// A time in steps; what differs by one is the same.
+    fn see(&mut self, stuck: usize) {
+        let is_shorter = self.least.is_none_or(|least| stuck + 1 < least);
+        self.count = if is_shorter { self.count + 1 } else { 0 };
+        self.least = Some(self.least.map_or(stuck, |least| least.min(stuck)));
+    }
+}
+
 /// Watches the bit step by step.
 #[derive(Debug, Clone)]
 pub(crate) struct BitWatch {
@@ -134,6 +160,7 @@ pub(crate) struct BitWatch {
     longest_cycle: usize,
     cycles: [Cycle; AGREEING_CYCLES],
     alike: Alike,
+    shorter: Shorter,
     /// Speeds since the last slip began, and of the cycle before.
     since_slip: Vec<f64>,
     last_cycle: Vec<f64>,
@@ -195,6 +222,7 @@ impl BitWatch {
             longest_cycle: window + 1,
             cycles: Default::default(),
             alike: Alike::default(),
+            shorter: Shorter::default(),
             since_slip: Vec::new(),
             last_cycle: Vec::new(),
             recaptured_at: 0,
@@ -283,6 +311,7 @@ impl BitWatch {
         };
         self.cycles[AGREEING_CYCLES - 1] = cycle;
         self.alike.see(cycle);
+        self.shorter.see(self.step - self.recaptured_at);
         std::mem::swap(&mut self.last_cycle, &mut self.since_slip);
     }
 
@@ -412,6 +441,7 @@ impl BitWatch {
             closing_speed: self.closing.sum / closing_steps as f64,
             severity: Some(0.5 * swing / mean_speed.abs()).filter(|severity| severity.is_finite()),
             motor_stalled_fraction: None,
+            fades: regime == TorsionRegime::StickSlip && self.shorter.count >= EVER_SHORTER,
         }
     }
 }

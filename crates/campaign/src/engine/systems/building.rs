@@ -313,6 +313,7 @@ impl MethodSystem {
             displacements: None,
             rates: None,
             finer: None,
+            longer: Default::default(),
             responses,
         })
     }
