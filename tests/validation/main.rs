@@ -13,6 +13,7 @@ mod recorded_well;
 mod rows;
 mod string_friction;
 mod surface_torque;
+mod time_rule;
 mod top_drive;
 mod tradeoff;
 mod whirl_limit;

@@ -52,15 +52,18 @@ impl StringMemory {
         let own = Self::of_method(sweep, setting, method, longest_time);
         let longer = longer::memory(sweep, setting, method, longest_time);
         let longer = longer.into_iter().zip(longer::TIMES);
-        longer.fold(Self { times: 1.0, ..own }, |all, (longer, times)| match longer {
-            None => all,
-            Some(longer) => Self {
-                systems: all.systems.then(longer.systems),
-                case: all.case.max(longer.case),
-                times,
-                ..all
+        longer.fold(
+            Self { times: 1.0, ..own },
+            |all, (longer, times)| match longer {
+                None => all,
+                Some(longer) => Self {
+                    systems: all.systems.then(longer.systems),
+                    case: all.case.max(longer.case),
+                    times,
+                    ..all
+                },
             },
-        })
+        )
     }
 
     fn of_method(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {

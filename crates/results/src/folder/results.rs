@@ -73,7 +73,10 @@ impl<'a> TableWriter<'a> {
     fn count(&mut self, record: &Record, certainty: Certainty) -> Result<()> {
         let method = self.table.methods[record.method];
         let (labels, predicted) = match &record.outcome {
-            Ok(outcome) => (outcome.labels(), outcome.predicted),
+            Ok(outcome) => {
+                self.tally.fading += usize::from(outcome.fades());
+                (outcome.labels(), outcome.predicted)
+            }
             Err(reason) => {
                 let command = repeat_command(self.about, record.case, method);
                 let row = failures_row(record.case, method, reason.text(), &command)?;

@@ -45,6 +45,13 @@ pub struct Tally {
     pub settled_checked: usize,
     /// See `settled_checked`.
     pub settled_wrong: usize,
+    /// Rows whose stick-slip or swing still faded at the end of the time.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub fading: usize,
+}
+
+fn is_none(count: &usize) -> bool {
+    *count == 0
 }
 
 /// Pushes into walls by a method.
@@ -227,6 +234,18 @@ impl Tally {
                  hole is no longer that of the model; the deepest push: {}",
                 found.breaking,
                 found.deepest.words(units)
+            )
+        })
+    }
+
+    /// How many rows still faded at the end of their time, in a sentence; none where none did.
+    pub fn fading_words(&self) -> Option<String> {
+        (self.fading > 0).then(|| {
+            format!(
+                "in {} of {} stick-slip or a swing still faded at the end of the time: a larger \
+                 `time_s` decides",
+                self.fading,
+                counted(self.rows, "row")
             )
         })
     }

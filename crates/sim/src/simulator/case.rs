@@ -224,19 +224,25 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
     }
 
     pub(super) fn outcome(&self, end: End) -> Result<Outcome, SimulationError> {
-        let lateral = self.watch.walls.as_ref().map(|(watch, settling)| {
+        let torsion = self.torsion(&end);
+        let mut lateral = self.watch.walls.as_ref().map(|(watch, settling)| {
             if end.settled {
                 settling.measures(watch)
             } else {
                 watch.measures()
             }
         });
+        // A string whose bit sticks and slips is swung by that.
+        let is_driven = torsion.is_some_and(|it| it.regime == TorsionRegime::StickSlip);
+        if let Some(lying) = lateral.as_mut().and_then(|it| it.lying.as_mut()) {
+            lying.fades &= !is_driven;
+        }
         Outcome {
             simulated: self.system.sampling.start_of(end.last),
             ended: end.ended,
             predicted: end.predicted,
             measures: PerMotion::from_fn(|motion| match motion {
-                Motion::Torsion => self.torsion(&end).map(Measures::Torsion),
+                Motion::Torsion => torsion.map(Measures::Torsion),
                 Motion::Lateral => lateral.map(Measures::Lateral),
                 Motion::Axial => self.axial().map(Measures::Axial),
             }),

@@ -337,8 +337,7 @@ impl WallWatch {
                     swing_amplitude: swing.amplitude,
                     swing_frequency: swing.frequency,
                     greatest_angle: furthest.fold(0.0, f64::max),
-                    fades: regime == LateralRegime::Snaking
-                        && swing.lasting < 1.0 - self.rules.settling_tolerance,
+                    fades: regime == LateralRegime::Snaking && swing.falls,
                 };
                 (site, regime, Some(measures))
             }
@@ -405,7 +404,8 @@ impl WallWatch {
         let steps = self.step.saturating_sub(self.closing_from).max(1) as f64;
         let touches = |site: &usize| closing[*site].contact as f64 / steps > self.rules.mostly;
         let every = || 0..closing.len();
-        let swing = |site: usize| (site, swings.of_site(site, self.sampling.frequency));
+        let (rate, tolerance) = (self.sampling.frequency, self.rules.settling_tolerance);
+        let swing = |site: usize| (site, swings.of_site(site, rate, tolerance));
         let mut found: Vec<(usize, Swing)> = every().filter(touches).map(swing).collect();
         if found.is_empty() {
             found = every().map(swing).collect();

@@ -23,8 +23,52 @@ pub(crate) struct Swing {
     pub(crate) frequency: f64,
     /// Turns round the hole, positive where it climbs on.
     pub(crate) turns: f64,
-    /// Amplitude in the second half of the closing window, as a part of that in the first.
-    pub(crate) lasting: f64,
+    /// Whether it swings less than in any window of that length before, and ever less in this one.
+    pub(crate) falls: bool,
+}
+
+/// Windows as long as the closing one, one after the other.
+#[derive(Debug, Clone)]
+struct Windows {
+    /// Steps, least and greatest angle of the present one, rad.
+    steps: usize,
+    least: f64,
+    greatest: f64,
+    /// The least amplitude in one of them, rad.
+    narrowest: f64,
+}
+
+impl Default for Windows {
+    fn default() -> Self {
+        Self {
+            steps: 0,
+            least: f64::INFINITY,
+            greatest: f64::NEG_INFINITY,
+            narrowest: f64::INFINITY,
+        }
+    }
+}
+
+impl Windows {
+    /// An angle, a number of steps before the closing window, which has `window` steps.
+    fn see(&mut self, angle: f64, before: usize, window: usize) {
+        self.steps += 1;
+        self.least = self.least.min(angle);
+        self.greatest = self.greatest.max(angle);
+        if before % window != 0 {
+            return;
+        }
+        // The first may not be whole.
+        let is_whole = self.steps == window;
+        let amplitude = 0.5 * (self.greatest - self.least);
+        *self = Self {
+            narrowest: match is_whole {
+                true => self.narrowest.min(amplitude),
+                false => self.narrowest,
+            },
+            ..Self::default()
+        };
+    }
 }
 
 /// The angles of all sites.
@@ -37,6 +81,10 @@ pub(crate) struct SwingWatch {
     /// Greatest angle away from the low side so far, rad.
     furthest: Vec<f64>,
     closing_from: usize,
+    /// Steps of the closing window.
+    window: usize,
+    /// Windows of that length before it.
+    before: Vec<Windows>,
     stride: usize,
     /// Of the closing window, at every `stride`th step, site by site.
     angles: Vec<Vec<f64>>,
@@ -64,6 +112,8 @@ impl SwingWatch {
             climbs,
             furthest: sites.iter().map(|(angle, _)| angle.abs()).collect(),
             closing_from,
+            window,
+            before: vec![Windows::default(); sites.len()],
             stride: window.div_ceil(KEPT).max(1),
             angles: vec![Vec::with_capacity(window.min(KEPT)); sites.len()],
             sites,
@@ -81,7 +131,9 @@ impl SwingWatch {
         turning.go(contact.position, square);
         let angle = *first - self.climbs * turning.angle();
         self.furthest[site] = self.furthest[site].max(angle.abs());
-        if step >= self.closing_from && (step - self.closing_from) % self.stride == 0 {
+        if step < self.closing_from {
+            self.before[site].see(angle, self.closing_from - 1 - step, self.window);
+        } else if (step - self.closing_from) % self.stride == 0 {
             self.angles[site].push(angle);
         }
     }
@@ -91,28 +143,31 @@ impl SwingWatch {
         self.furthest[site]
     }
 
-    /// How a site swung over the closing window, seen at this frequency, Hz.
-    pub(crate) fn of_site(&self, site: usize, sampling_frequency: f64) -> Swing {
+    /// How a site swung over the closing window, seen at this frequency, Hz; what falls does so by more than
+    /// this part.
+    pub(crate) fn of_site(&self, site: usize, sampling_frequency: f64, tolerance: f64) -> Swing {
         let angles = &self.angles[site];
-        let (Some(first), Some(last)) = (angles.first(), angles.last()) else {
+        let (Some(begins), Some(ends)) = (angles.first(), angles.last()) else {
             return Swing {
                 climb: 0.0,
                 amplitude: 0.0,
                 frequency: 0.0,
                 turns: 0.0,
-                lasting: 1.0,
+                falls: false,
             };
         };
         let mean = angles.iter().sum::<f64>() / angles.len() as f64;
         let amplitude = half_range(angles);
-        let (first_half, second_half) = angles.split_at(angles.len() / 2);
+        let (first, second) = angles.split_at(angles.len() / 2);
+        let is_less = |one: f64, other: f64| one < (1.0 - tolerance) * other;
         Swing {
             climb: within_half_a_turn(mean),
             amplitude,
             frequency: crossings_per_sample(angles, mean, amplitude) * sampling_frequency
                 / self.stride as f64,
-            turns: (last - first) / TAU,
-            lasting: half_range(second_half) / half_range(first_half),
+            turns: (ends - begins) / TAU,
+            falls: is_less(amplitude, self.before[site].narrowest)
+                && is_less(half_range(second), half_range(first)),
         }
     }
 }
@@ -180,7 +235,7 @@ mod tests {
             };
             watch.see(step, 0, &contact, 4e-4);
         }
-        (watch.of_site(0, 500.0), watch.furthest(0))
+        (watch.of_site(0, 500.0, 0.01), watch.furthest(0))
     }
 
     #[test]
@@ -195,6 +250,19 @@ mod tests {
             assert!(swing.turns.abs() < 0.05, "{swing:?}");
             assert!((furthest - 0.351).abs() < 1e-3);
         }
+    }
+
+    /// A swing of which the closing window has the end of a beat is no narrower than the beat before.
+    #[test]
+    fn a_swing_falls_that_is_less_than_ever() {
+        let falls = |amplitude: fn(f64) -> f64| {
+            let angle = |time: f64| 0.3 + amplitude(time) * (TAU * 1.53 * time).sin();
+            seen(PI, 6.0, angle).0.falls
+        };
+        assert!(falls(|time| 0.3 * (-0.1 * time).exp()));
+        assert!(!falls(|_| 0.3));
+        assert!(!falls(|time| 0.01 * (0.1 * time).exp()));
+        assert!(!falls(|time| 0.3 * (TAU * 0.05 * (time - 5.0)).cos()));
     }
 
     #[test]

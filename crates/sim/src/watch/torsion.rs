@@ -514,6 +514,25 @@ mod tests {
         assert_eq!(sticking.measures(0.0).severity, None);
     }
 
+    #[test]
+    fn stick_slip_fades_that_sticks_for_ever_shorter() {
+        let fades = |stuck: &[usize]| {
+            let steps = stuck.iter().map(|stuck| stuck + 10).sum();
+            let mut watch = BitWatch::new(Rules::USUAL, Sampling::new(1.0, 0.0), steps, 40.0);
+            for &stuck in stuck {
+                (0..10).for_each(|_| watch.see(BitMotion::Forward, 2.0));
+                (0..stuck).for_each(|_| watch.see(BitMotion::Stuck, 0.0));
+            }
+            watch.measures(1.0).fades
+        };
+        // The last of each is not over.
+        assert!(fades(&[20, 15, 12, 9, 9]));
+        assert!(fades(&[20, 15, 9]));
+        assert!(!fades(&[20, 15, 15, 14, 9]));
+        assert!(!fades(&[20, 10, 17, 14, 12, 9]));
+        assert!(!fades(&[9, 12, 15, 20, 20]));
+    }
+
     /// After how many of a hundred cycles of a number of steps, half of each in slipping, these have
     /// settled.
     fn settles_after(period: usize) -> usize {

@@ -193,6 +193,9 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
             format!("{wrong} of {checked} followed to the end changed the label: use --full");
         text += &wrapped(&words, 2, 4);
     }
+    if let Some(words) = manifest.tally.fading_words() {
+        text += &wrapped(&words, 2, 4);
+    }
     let map = if drawn { "map.svg, map.png, " } else { "" };
     writeln!(text, "{map}labels.csv and more are in {}", folder.display())?;
     Ok(text)

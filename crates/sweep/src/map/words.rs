@@ -146,8 +146,9 @@ pub fn undetermined(contents: &[Content], motion: Motion) -> Option<String> {
     let undetermined: usize = contents.iter().map(|content| content.undetermined).sum();
     let cases: usize = contents.iter().map(|content| content.cases).sum();
     let why = match motion {
-        Motion::Torsion => "no answer, or stuck to the end",
-        Motion::Lateral | Motion::Axial => "no answer",
+        Motion::Torsion => "no answer, stuck to the end, or fading",
+        Motion::Lateral => "no answer, or fading",
+        Motion::Axial => "no answer",
     };
     (undetermined > 0).then(|| {
         format!(

@@ -136,6 +136,7 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
             tally.rows
         );
     }
+    tally.fading = parts.iter().map(|part| part.manifest.tally.fading).sum();
     Ok((file.seal()?, tally))
 }
 
