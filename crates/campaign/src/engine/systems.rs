@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use anyhow::Result;
 use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_response, largest_undershoot, stick_slip_speed_limit};
-use linear::{ChannelResponses, Method, PlaceQuantity, Responses};
+use linear::{ChannelResponses, Method, PlaceQuantity, Responses, parallel};
 use sim::{
     Label, LateralMeasures, Measures, Motion, Outcome, RatesAtPlaces, Scene, SimulationError,
     Simulator, Stopping, SurfaceTorque, TorsionRegime, Trajectory,
@@ -270,7 +270,8 @@ impl MethodSystem {
             let longest = self.responses.longest_time;
             longer::memory(sweep, &self.setting, &self.method, longest)[place]?;
             let longest = longer::TIMES[place] * longest;
-            let system = Recipe::of(sweep, &self.setting, self.method, longest).build();
+            let recipe = Recipe::of(sweep, &self.setting, self.method, longest);
+            let system = parallel::apart(|| recipe.build())?;
             system.ok().map(Box::new)
         });
         system.as_deref()

@@ -42,3 +42,8 @@ pub fn chunks_mut<Item, Scratch>(
 pub fn on_each_thread(work: impl Fn()) {
     work();
 }
+
+/// Answer of work that others wait for.
+pub fn apart<Answer: Send>(work: impl FnOnce() -> Answer + Send) -> Option<Answer> {
+    Some(work())
+}

@@ -14,13 +14,25 @@ mod alone;
 mod together;
 
 #[cfg(not(feature = "parallel"))]
-pub use alone::{chunks_mut, each, map, on_each_thread, reduce, threads};
+pub use alone::{apart, chunks_mut, each, map, on_each_thread, reduce, threads};
 #[cfg(feature = "parallel")]
-pub use together::{chunks_mut, each, map, on_each_thread, reduce, threads};
+pub use together::{apart, chunks_mut, each, map, on_each_thread, reduce, threads};
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A loop in it may begin no other turn of the outer loop, which would wait for the very work it is
+    /// a part of.
+    #[test]
+    fn what_all_turns_of_a_loop_wait_for_is_done_apart() {
+        let shared = std::sync::OnceLock::new();
+        let sums = map(64, 1, |_| {
+            let sum = || map(1000, 1, |number| number).into_iter().sum::<usize>();
+            *shared.get_or_init(|| apart(sum))
+        });
+        assert_eq!(sums, [Some(499_500); 64]);
+    }
 
     #[test]
     fn answers_are_in_the_order_of_what_is_asked() {

@@ -88,3 +88,17 @@ pub fn chunks_mut<Item: Send, Scratch>(
 pub fn on_each_thread(work: impl Fn() + Sync) {
     rayon::broadcast(|_| work());
 }
+
+/// Answer of work whose own loops wait for no other work of these threads, on as many others; `None`
+/// where the system gives no more threads. What others wait for has to be done so: a thread that
+/// waits for a part of its work may else begin another piece, which then waits for that work.
+pub fn apart<Answer: Send>(work: impl FnOnce() -> Answer + Send) -> Option<Answer> {
+    let count = threads();
+    std::thread::scope(|scope| {
+        let begun = std::thread::Builder::new().spawn_scoped(scope, || {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
+            Some(pool.ok()?.install(work))
+        });
+        begun.ok()?.join().ok()?
+    })
+}
