@@ -1,6 +1,7 @@
 //! The ports that bend, in two planes: what disturbs them, where that and the past bring them, and
 //! where their walls leave them.
 
+use crate::coupling::Unloaded;
 use crate::error::SimulationError;
 use crate::laws::contact::{Contact, WallLaw};
 use crate::line::{Bending, Past, WallPorts};
@@ -180,12 +181,12 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         self.springs.get(site).copied()
     }
 
-    /// The load line at a wall that would be at a position without its own load. Where a spring is
+    /// The load line at a wall under the loads of the others. Where a spring is
     /// taken back, u = p + A (F + k u) leaves u = (p + A F)/(1 − A k).
     #[inline]
-    pub(crate) fn line(&self, site: usize, free_position: [f64; 2]) -> LateralLine {
+    pub(crate) fn line(&self, site: usize, unloaded: &Unloaded) -> LateralLine {
         let mut compliance = self.channel.instant(site, site);
-        let mut free_position = free_position;
+        let mut free_position = unloaded.position;
         if !self.springs.is_empty() {
             let give = 1.0 - compliance * self.springs[site];
             free_position = free_position.map(|it| it / give);
@@ -195,6 +196,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             free_position,
             previous_position: self.positions[site],
             previous_sliding_speed: self.sliding_speeds[site],
+            present_position: unloaded.present,
             compliance,
             sampling: self.system.sampling,
         }

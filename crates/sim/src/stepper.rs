@@ -490,7 +490,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                     (turn, solved)
                 }
                 Some((lateral, (at, wall))) => {
-                    let lateral_line = lateral.line(at, unloaded.position);
+                    let lateral_line = lateral.line(at, &unloaded);
                     let met = torque.turn_at_wall(wall, &lateral_line, line, guess);
                     let (contact, turn) = met.map_err(|error| {
                         SimulationError::of_contact(error, system.torsion.loaded()[port], time)

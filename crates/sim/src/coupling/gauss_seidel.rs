@@ -1,7 +1,7 @@
 //! Gauss–Seidel iteration: one port after the other, in turns.
 
 use super::ports::{Coupling, Free, Solved, Unloaded};
-use super::{newton, row};
+use super::{halved, newton, row};
 use crate::line::Within;
 
 /// A port is solved again if the others' loads have changed since by what changes its own
@@ -15,7 +15,7 @@ const LAST_TOLERANCE: f64 = 1e-9;
 /// Turns after which each is begun with a step of Newton's method.
 const PLAIN_TURNS: usize = 30;
 
-/// Turns after which ports that do not settle are given up.
+/// Turns after which ports that do not settle have to in [`halved`] ones.
 pub(super) const MOST_TURNS: usize = 200;
 
 /// The same of ports in a row, whose turns cost little.
@@ -78,6 +78,25 @@ impl Coupling<'_> {
             }
         }
         let matters = self.matters(LAST_TOLERANCE, driving);
+        match self.within {
+            Within::All(torsion) if self.any_is_open(free, &matters) => {
+                halved::settle(self, torsion, free, &mut solve)
+            }
+            _ => Ok(!self.any_is_open(free, &matters)),
+        }
+    }
+
+    /// A turn of all ports, after which their loads are what their laws answer to the others'. Gives
+    /// whether these no longer matter to one another.
+    pub(super) fn turn_all<E>(
+        &mut self,
+        free: Free,
+        solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
+    ) -> Result<bool, E> {
+        for port in 0..self.pending.len() {
+            self.solve_port(port, free, solve)?;
+        }
+        let matters = self.matters(COUPLING_TOLERANCE, 0.0);
         Ok(!self.any_is_open(free, &matters))
     }
 

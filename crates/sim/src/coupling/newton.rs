@@ -37,13 +37,14 @@ fn difference(one: Components, other: Components) -> Components {
 }
 
 /// A step on the loads of a coupling, after which all ports have to be solved again; none where
-/// it does not bring them closer. A port without an answer is left to the turn that follows.
+/// it does not bring them closer. Gives whether it did. A port without an answer is left to the turn
+/// that follows.
 pub(super) fn step<E>(
     coupling: &mut Coupling,
     torsion: &Torsion,
     free: Free,
     solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
-) {
+) -> bool {
     let open = |port: &usize| coupling.pending[*port] > coupling.slack[*port];
     let bears = |port: &usize| coupling.loads.all[*port] != Load::default();
     let ports: Vec<usize> = (0..coupling.pending.len())
@@ -54,11 +55,11 @@ pub(super) fn step<E>(
         .map(|&port| components(coupling.loads.all[port]))
         .collect();
     let Some(scales) = scales(&before) else {
-        return;
+        return false;
     };
     let Some((answers, slopes)) = differentiate(coupling, torsion, (&ports, scales), free, solve)
     else {
-        return;
+        return false;
     };
     let misses: Vec<Components> = (answers.iter().zip(&before))
         .map(|(answer, load)| difference(*answer, *load))
@@ -80,12 +81,13 @@ pub(super) fn step<E>(
         });
         let misses: Option<Vec<Components>> = misses.collect();
         if misses.is_some_and(|misses| size(&misses, scales) < least) {
-            return;
+            return true;
         }
     }
     for (&port, before) in ports.iter().zip(before) {
         coupling.loads.replace(port, load_of(before));
     }
+    false
 }
 
 /// The largest force and the largest torque; none where nothing acts.

@@ -18,6 +18,8 @@ pub(crate) struct Coupling<'a> {
     /// What the load of a port is worth at every other, port by port; nothing where ports feel no
     /// more than their neighbours.
     shares: Vec<Share>,
+    /// Whether of several answers of a wall the nearest to its present one is wanted.
+    pub(super) keeps_answers: bool,
     pub(super) row: Row,
 }
 
@@ -60,6 +62,8 @@ pub(crate) struct Unloaded {
     pub(crate) speed: f64,
     /// The speed that it was solved for last, rad/s, where that is known.
     pub(crate) guess: Option<f64>,
+    /// Where its own load of now brings it, m, where of several answers the nearest is wanted.
+    pub(crate) present: Option<[f64; 2]>,
 }
 
 /// A port solved within a step, the loads of the others given.
@@ -120,6 +124,7 @@ impl<'a> Coupling<'a> {
             },
             within,
             walled,
+            keeps_answers: false,
             loads: Loads::none(count),
             normal_forces: vec![0.0; count],
             pending: vec![0.0; count],
@@ -197,6 +202,7 @@ impl<'a> Coupling<'a> {
                         position,
                         speed,
                         guess,
+                        present: None,
                     };
                 }
                 (speed, guess)
@@ -219,7 +225,19 @@ impl<'a> Coupling<'a> {
             position,
             speed,
             guess,
+            present: self.present(port, position),
         }
+    }
+
+    /// Where its load of now brings a port that would be at a position without, m, where that matters.
+    #[inline]
+    fn present(&self, port: usize, position: [f64; 2]) -> Option<[f64; 2]> {
+        let force = self.loads.all[port].force;
+        let matters = self.keeps_answers && force != [0.0; 2];
+        matters.then(|| {
+            let gives = self.bends(port, port);
+            [0, 1].map(|axis| position[axis] + gives * force[axis])
+        })
     }
 
     /// What drives a port in a row under the speeds of its neighbours, N m.

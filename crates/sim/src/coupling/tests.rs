@@ -2,7 +2,7 @@ use numerics::{Mat, equations};
 
 use super::gauss_seidel::{COUPLING_TOLERANCE, MOST_TURNS};
 use super::*;
-use crate::laws::contact::{Approach, Spin, WallLaw};
+use crate::laws::contact::{Approach, Contact, ContactError, Spin, WallLaw};
 use crate::laws::wall::Wall;
 use crate::line::{WallPorts, Within};
 use crate::sampling::Sampling;
@@ -193,6 +193,80 @@ impl Walls {
         }
     }
 
+    /// Two pairs of sites a third of a metre apart or less, which come from anywhere in the hole, as from
+    /// across it: their walls may have several answers.
+    fn close_pairs(random: &mut impl FnMut() -> f64) -> Self {
+        let turn = std::f64::consts::TAU;
+        let clearance = 0.01;
+        let places = [0.0, 0.3 * random(), 3.0, 3.0 + 0.3 * random()];
+        // Positive definite, like those of a string.
+        let spread = |scale: f64| -> Vec<Vec<f64>> {
+            let row = |a: &f64| places.map(|b| scale * (-(a - b).abs()).exp()).to_vec();
+            places.iter().map(row).collect()
+        };
+        let (bending, torsion) = (spread(3e-9), spread(1.5e-4));
+        let mut at = |least: f64, most: f64| {
+            let (radius, angle) = (least + (most - least) * random(), turn * random());
+            [angle.cos(), angle.sin()].map(|part| clearance * radius * part)
+        };
+        let positions = (0..4).map(|_| at(1.0, 1.5)).collect();
+        let previous = (0..4).map(|_| at(0.0, 1.2)).collect();
+        let speeds = (0..4).map(|_| 60.0 * (random() - 0.4)).collect();
+        let wall = Wall {
+            clearance,
+            stiffness: 10f64.powf(9.0 + 2.0 * random()),
+            friction: 0.6 + 0.9 * random(),
+            dynamic_ratio: 1.0,
+            stribeck_speed: 0.0,
+            radius: 0.15,
+        };
+        Self {
+            walls: vec![wall; 4],
+            bending,
+            torsion,
+            positions,
+            previous,
+            speeds,
+        }
+    }
+
+    fn meet(&self, site: usize, unloaded: &Unloaded) -> Result<Contact, ContactError> {
+        self.walls[site].meet(&Approach {
+            free_position: unloaded.position,
+            previous_position: self.previous[site],
+            previous_sliding_speed: None,
+            present_position: unloaded.present,
+            compliance: self.bending[site][site],
+            spin: Spin {
+                free_speed: unloaded.speed,
+                compliance: self.torsion[site][site],
+                resistance: None,
+            },
+            sampling: Sampling::new(FREQUENCY, 0.0),
+        })
+    }
+
+    /// How far loads are from what the walls answer to them, as a part of the largest force.
+    fn off(&self, loads: &[Load]) -> f64 {
+        let forces = loads.iter().map(|load| load.force[0].hypot(load.force[1]));
+        let largest = forces.fold(0.0, f64::max);
+        let off = |(site, load): (usize, &Load)| {
+            let position = self.position(site, loads);
+            let gives = self.bending[site][site];
+            let turns = loads.iter().zip(&self.torsion[site]);
+            let turned: f64 = turns.map(|(load, gives)| gives * load.torque).sum();
+            let unloaded = Unloaded {
+                position: [0, 1].map(|axis| position[axis] - gives * load.force[axis]),
+                speed: self.speeds[site] + turned - self.torsion[site][site] * load.torque,
+                guess: None,
+                present: Some(position),
+            };
+            let force = self.meet(site, &unloaded).unwrap().force;
+            (force[0] - load.force[0]).hypot(force[1] - load.force[1]) / largest
+        };
+        loads.iter().enumerate().map(off).fold(0.0, f64::max)
+    }
+
     /// The loads to which Gauss–Seidel iteration and Newton's method converge.
     fn settle(&self) -> Option<Vec<Load>> {
         let (torsion, bending) = (channel(&self.torsion), channel(&self.bending));
@@ -206,19 +280,8 @@ impl Walls {
             turning: &self.speeds,
         };
         let settled = coupling.settle(free, |site, unloaded| {
-            let contact = self.walls[site].meet(&Approach {
-                free_position: unloaded.position,
-                previous_position: self.previous[site],
-                previous_sliding_speed: None,
-                compliance: self.bending[site][site],
-                spin: Spin {
-                    free_speed: unloaded.speed,
-                    compliance: self.torsion[site][site],
-                    resistance: None,
-                },
-                sampling: Sampling::new(FREQUENCY, 0.0),
-            })?;
-            Ok::<_, crate::laws::contact::ContactError>(Solved {
+            let contact = self.meet(site, &unloaded)?;
+            Ok::<_, ContactError>(Solved {
                 load: Load {
                     force: contact.force,
                     torque: contact.torque,
@@ -434,4 +497,24 @@ fn walls_settle_where_brute_force_finds_them() {
     );
     assert_eq!(given_up, 0);
     assert!(missed <= steps / 50, "{missed}");
+}
+
+/// Of 20 000 steps whole turns and Newton's method alone leave 23 unsettled; now all but one settle, and each
+/// site obeys its wall in the end.
+#[test]
+fn close_sites_with_much_friction_that_come_from_across_the_hole_settle() {
+    let mut state = 7u64;
+    let mut random = || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let steps = (0..20_000).map(|_| Walls::close_pairs(&mut random));
+    let off = steps.map(|walls| walls.settle().map(|loads| walls.off(&loads)));
+    let off: Vec<Option<f64>> = off.collect();
+    let given_up = off.iter().filter(|off| off.is_none()).count();
+    let most = off.iter().flatten().fold(0.0, |most: f64, off| most.max(*off));
+    assert!(given_up <= 1, "{given_up}");
+    assert!(most < 1e-9, "{most:e}");
 }

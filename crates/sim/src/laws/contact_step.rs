@@ -175,7 +175,8 @@ impl<'a> ContactStep<'a> {
             .sqrt()
     }
 
-    /// All solutions; the one that turns the centre least is taken.
+    /// All solutions; the one that turns the centre least is taken, from where it is in this step so far or
+    /// was before.
     fn search(&self) -> Result<Contact, ContactError> {
         let friction = self.wall.friction;
         let mut found = [None; 4];
@@ -192,7 +193,7 @@ impl<'a> ContactStep<'a> {
             found[2] = Some((self.roll(forward, backward), Touch::Rolling));
         }
         let ambiguous = found.iter().flatten().count() > 1;
-        let [x, y] = self.approach.previous_position;
+        let [x, y] = (self.approach.present_position).unwrap_or(self.approach.previous_position);
         let along = |trial: &Trial| trial.direction[0] * x + trial.direction[1] * y;
         let nearest = (found.into_iter().flatten())
             .max_by(|one, other| along(&one.0).total_cmp(&along(&other.0)));

@@ -37,6 +37,7 @@ impl Arrival {
             free_position: self.free_position,
             previous_position: self.previous_position,
             previous_sliding_speed: self.previous_sliding_speed,
+            present_position: None,
             compliance: self.compliance,
             spin: Spin {
                 free_speed: self.free_speed,

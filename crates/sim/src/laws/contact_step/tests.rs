@@ -47,6 +47,7 @@ pub(super) fn any_step() -> impl Strategy<Value = (Wall, Approach<'static>)> {
             free_position: [out * clearance, 0.0],
             previous_position: [turned.cos(), turned.sin()].map(|part| before * clearance * part),
             previous_sliding_speed: None,
+            present_position: None,
             compliance: 10f64.powf(compliance),
             spin,
             sampling: Sampling::new(frequency, 0.0),
