@@ -183,8 +183,8 @@ fn tools_feel_accelerations_along_the_axis() {
         let place = Workplace::with_small(&before_design(&tools.collect::<String>()));
         done(&place, &["run", "small.toml", "--out", "out"]);
         let names = [
-            "axial_acceleration_peak_g",
-            "axial_acceleration_rms_g",
+            "axial_acceleration_band_peak_g",
+            "axial_acceleration_step_rms_g",
             "weight_peak_kn",
         ];
         let numbers = |row: [String; 3]| row.map(|number| number.parse::<f64>().unwrap());

@@ -278,7 +278,10 @@ fn a_run_says_how_a_string_lies_and_swings() {
         );
         assert!(number("swing_deg") < 1.0);
         assert!(number("greatest_angle_deg") > climb);
-        assert!(number("acceleration_rms_g") <= number("acceleration_peak_g"));
+        let within = ["rms", "peak"].map(|of| number(&format!("acceleration_band_{of}_g")));
+        assert!(0.0 < within[0] && within[0] <= within[1]);
+        assert!(within[1] <= number("acceleration_step_peak_g"));
+        assert_eq!(number("acceleration_band_hz"), 100.0);
         assert_eq!(number("lateral_shocks_per_s"), 0.0);
     }
     // In the middle of its hole it touches nothing.
@@ -344,12 +347,15 @@ fn a_tool_feels_what_a_site_in_its_place_does() {
         let place = Workplace::with_small(&(text + DESIGN + &tools.collect::<String>()));
         rows_of(&place)
     };
-    const FELT: [&str; 5] = [
+    const FELT: [&str; 8] = [
         "acceleration_from_bit_m",
-        "acceleration_peak_g",
-        "acceleration_rms_g",
-        "tangential_acceleration_peak_g",
+        "acceleration_band_peak_g",
+        "acceleration_band_rms_g",
+        "tangential_acceleration_band_peak_g",
         "lateral_shocks_per_s",
+        "acceleration_step_peak_g",
+        "acceleration_step_rms_g",
+        "tangential_acceleration_step_peak_g",
     ];
     for method in ["held", "quadrature", "finite-element"] {
         let at_sites = shaken(method, &[]);

@@ -73,9 +73,22 @@ impl Outcome {
             }
             if let Some(shocks) = lateral.shocks {
                 measures.set_item("shock_site", shocks.site)?;
-                measures.set_item("acceleration_peak_m_s2", shocks.peak)?;
-                measures.set_item("acceleration_rms_m_s2", shocks.rms)?;
-                measures.set_item("tangential_acceleration_peak_m_s2", shocks.tangential_peak)?;
+                for (direction, in_band) in
+                    [("", shocks.sideways), ("tangential_", shocks.tangential)]
+                {
+                    let Some(in_band) = in_band else { continue };
+                    for (name, value) in [
+                        ("band_hz", in_band.band),
+                        ("band_peak_m_s2", in_band.peak),
+                        ("band_rms_m_s2", in_band.rms),
+                    ] {
+                        measures.set_item(format!("{direction}acceleration_{name}"), value)?;
+                    }
+                }
+                measures.set_item("acceleration_step_peak_m_s2", shocks.step_peak)?;
+                measures.set_item("acceleration_step_rms_m_s2", shocks.step_rms)?;
+                let tangential = shocks.tangential_step_peak;
+                measures.set_item("tangential_acceleration_step_peak_m_s2", tangential)?;
                 measures.set_item("shocks_per_s", shocks.shocks_per_second)?;
             }
         }

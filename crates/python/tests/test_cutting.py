@@ -53,9 +53,10 @@ def test_what_the_bit_feels_is_how_its_rate_changes(file):
     simulation = ds.Sweep.read(file).simulate(case=3)
     motion, row = simulation.motion, simulation.row
     accelerations = np.diff(motion.rate_of_penetration) / np.diff(motion.time) / 9.80665
-    peak = row["axial_acceleration_peak_g"]
+    peak = row["axial_acceleration_step_peak_g"]
     assert np.isclose(np.abs(accelerations), peak, rtol=1e-9).any()
-    assert 0 < row["axial_acceleration_rms_g"] < peak
+    assert 0 < row["axial_acceleration_step_rms_g"] < peak
+    assert 0 < row["axial_acceleration_band_rms_g"] < row["axial_acceleration_band_peak_g"] < peak
 
 
 def test_the_rock_is_left_as_deep_as_its_deepest_cut(file):

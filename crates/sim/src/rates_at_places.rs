@@ -13,7 +13,7 @@ use crate::sampling::Sampling;
 use crate::scene::Axial;
 use crate::surface::{SurfaceProfile, SurfaceResponse, convolved};
 use crate::trajectory::Trajectory;
-use crate::watch::axial::AxialAcceleration;
+use crate::watch::axial::{AxialAcceleration, AxialShocks};
 
 /// Rates of penetration at some places, ready to be found for any motion of a string.
 #[derive(Debug, Clone)]
@@ -105,28 +105,24 @@ impl RatesAtPlaces {
         rates
     }
 
-    /// Acceleration in all steps of a motion from one on, of the place where it is greatest; `None` where
-    /// there are no places or no such steps.
+    /// Acceleration in all steps of a motion from one on, of the place where it is greatest within the band
+    /// of its sensor (Hz); `None` where there are no places or no such steps.
     pub fn acceleration(
         &self,
         scene: &Axial,
         motion: &Trajectory,
-        from: usize,
+        (bands, from): (&[f64], usize),
     ) -> Option<AxialAcceleration> {
-        let of_place = |place: usize| {
+        let of_place = |(place, band): (usize, &f64)| {
+            let mut shocks = AxialShocks::new(*band, self.sampling.frequency);
             let rates = self.rates(place, scene, motion);
-            let steps = rates.get(from.saturating_sub(1)..)?.windows(2);
-            let count = steps.len();
-            let squares = steps.map(|pair| ((pair[1] - pair[0]) * self.sampling.frequency).powi(2));
-            let (peak, sum) = squares.fold((0.0, 0.0), |(peak, sum): (f64, f64), square| {
-                (peak.max(square), sum + square)
-            });
-            (count > 0).then(|| AxialAcceleration {
-                peak: peak.sqrt(),
-                rms: (sum / count as f64).sqrt(),
-            })
+            for (step, rate) in rates.into_iter().enumerate() {
+                shocks.see(rate, step >= from);
+            }
+            shocks.measures()
         };
-        let all = (0..self.places.len()).filter_map(of_place);
-        all.max_by(|one, other| one.peak.total_cmp(&other.peak))
+        let all = bands.iter().enumerate().filter_map(of_place);
+        let peak = |of: &AxialAcceleration| of.in_band.map_or(0.0, |within| within.peak);
+        all.max_by(|one, other| peak(one).total_cmp(&peak(other)))
     }
 }

@@ -246,7 +246,8 @@ impl MethodSystem {
         ) {
             let window = case.scene.timing.closing_window;
             let from = closing_from(motion, window, self.setting.sampling_frequency);
-            measures.acceleration = rates.acceleration(axial, motion, from);
+            measures.acceleration =
+                rates.acceleration(axial, motion, (&self.setting.tool_bands, from));
         }
         let Some(lateral) = &self.setting.lateral else {
             return Ok(());

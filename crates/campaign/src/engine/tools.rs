@@ -11,9 +11,6 @@ use super::case_error::CaseError;
 use super::system_plan::SystemPlan;
 use crate::plan::LateralSettings;
 
-/// Steps before the closing window that the first acceleration in it takes.
-const STEPS_BEFORE: usize = 2;
-
 /// What the tools of a setting felt; `site` is the number of the one that was shaken most.
 ///
 /// # Errors
@@ -29,12 +26,14 @@ pub(super) fn measures(
     };
     let setting = plan.setting;
     let (window, rate) = (case.scene.timing.closing_window, setting.sampling_frequency);
-    let from = closing_from(motion, window, rate).saturating_sub(STEPS_BEFORE);
+    let closing = closing_from(motion, window, rate);
+    let from = closing.saturating_sub(ShockMeasures::steps_before(&setting.tool_bands, rate));
     let positions = displacements.of(plan, &setting.tools, motion, from)?;
     let sites = setting.sites.distances_from_bit();
-    let shaken = setting.tools.iter().zip(&positions);
-    let shaken: Vec<ShakenPlace> = shaken
-        .map(|(&place, positions)| ShakenPlace {
+    let tools = setting.tools.iter().zip(&setting.tool_bands);
+    let shaken: Vec<ShakenPlace> = (tools.zip(&positions))
+        .map(|((&place, &band), positions)| ShakenPlace {
+            band,
             radius: tubes_at(setting, place)
                 .map(|tube| tube.outer_radius)
                 .into_iter()
@@ -43,7 +42,11 @@ pub(super) fn measures(
             speeds: speeds_at(place, sites, &motion.speeds, from),
         })
         .collect();
-    Ok(ShockMeasures::of(&shaken, threshold, rate))
+    Ok(ShockMeasures::of(
+        &shaken,
+        threshold,
+        (rate, closing - from),
+    ))
 }
 
 /// What the rates of penetration at tools are built from, above a bit that cuts: their places and the bit,

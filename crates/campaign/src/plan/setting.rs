@@ -86,6 +86,8 @@ pub struct Setting {
     /// Where tools feel accelerations, m from the bit, from the surface down; nothing where these are
     /// measured at the sites, and at the bit.
     pub tools: Vec<f64>,
+    /// The bands of these tools, Hz.
+    pub tool_bands: Vec<f64>,
     /// What axes or a command line change of the string in the file.
     pub changed: Vec<(Axis, f64)>,
 }
@@ -197,7 +199,7 @@ impl Setting {
             design,
         )?;
         let sites = places.sites;
-        let tools = tools::places(source, content, &string, &sites)?;
+        let (tools, tool_bands) = tools::resolve(source, content, &string, &sites)?;
         let ends = lying::finds_sites(content).then(|| sites::ends(content, &in_hole));
         let (string, hanging) = axial_force::resolve(
             source,
@@ -261,6 +263,7 @@ impl Setting {
             cutting,
             motor,
             tools,
+            tool_bands,
             changed: Vec::new(),
         };
         // For an accuracy another frequency is chosen.

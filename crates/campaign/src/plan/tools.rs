@@ -1,25 +1,28 @@
 //! `[[tools]]`: where accelerations are measured instead of at the sites.
 
 use linear::{Drillstring, Sites};
+use sim::{USUAL_BAND, highest_band};
 
+use super::lateral::LateralSettings;
+use super::sweep::Sweep;
 use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 
 /// More tools than this are not measured: their responses would take as much memory as those that cases
 /// are stepped by.
 const MOST_TOOLS: usize = 40;
 
-/// The places of all tools, m from the bit, from the surface down.
+/// The places of all tools, m from the bit, from the surface down, and their bands, Hz.
 ///
 /// # Errors
 /// Where nothing moves but the rotation, a tool is not on the string, two are at one place, there are too
-/// many, or one is where the string is taken to be at rest.
-pub fn places(
+/// many, one is where the string is taken to be at rest, or a band is none.
+pub fn resolve(
     source: &Source,
     content: &FileContent,
     string: &Drillstring,
     sites: &Sites,
-) -> Result<Vec<f64>, SweepFileError> {
-    let mut places: Vec<f64> = Vec::with_capacity(content.tools.len());
+) -> Result<(Vec<f64>, Vec<f64>), SweepFileError> {
+    let mut tools: Vec<(f64, f64)> = Vec::with_capacity(content.tools.len());
     let moves = content.wall.is_some() || content.has_cutting();
     let message = "needs a table [wall], or a bit with [bit.cutting]";
     source.refuse_if(!moves && !content.tools.is_empty(), "tools", message)?;
@@ -45,11 +48,39 @@ pub fn places(
              taken to be at rest: more sites, such as by `wall.sites_to_m`, let it move there"
         );
         source.refuse_if(place > moves_to, &key, message)?;
-        let is_there = |other: &f64| (other - place).abs() <= string.same_place();
+        let is_there = |(other, _): &(f64, f64)| (other - place).abs() <= string.same_place();
         let message = "is where another tool is";
-        source.refuse_if(places.iter().any(is_there), &key, message)?;
-        places.push(place);
+        source.refuse_if(tools.iter().any(is_there), &key, message)?;
+        let (key, band) = (format!("tools[{index}].band_hz"), tool.band_hz);
+        let band = band.map(|band| source.within(&key, band, 0.1, 1e5, "Hz"));
+        tools.push((place, band.transpose()?.unwrap_or(USUAL_BAND)));
     }
-    places.sort_by(|one, other| other.total_cmp(one));
-    Ok(places)
+    tools.sort_by(|(one, _), (other, _)| other.total_cmp(one));
+    Ok(tools.into_iter().unzip())
+}
+
+impl Sweep {
+    /// Bands that the sampling frequency does not hold.
+    pub(super) fn doubts_about_bands(&self) -> Vec<String> {
+        let setting = &self.setting;
+        let is_shaken = |lateral: &LateralSettings| lateral.shocks.is_some();
+        let is_measured =
+            setting.cutting.is_some() || setting.lateral.as_ref().is_some_and(is_shaken);
+        let of_sites = [USUAL_BAND];
+        let bands = match setting.tools.as_slice() {
+            [] if is_measured => of_sites.as_slice(),
+            _ => setting.tool_bands.as_slice(),
+        };
+        let highest = highest_band(setting.sampling_frequency);
+        let widest = bands.iter().copied().fold(0.0, f64::max);
+        let is_held = widest <= highest;
+        let doubt = (!is_held).then(|| {
+            let wanted = widest / highest * setting.sampling_frequency;
+            format!(
+                "accelerations are measured within {highest:.4} Hz, a quarter of the sampling frequency, \
+                 and not within {widest:.4} Hz: `sampling_frequency_hz` of {wanted:.4} or more holds that"
+            )
+        });
+        doubt.into_iter().collect()
+    }
 }

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use sim::{
-    AxialAcceleration, AxialMeasures, Label, LateralMeasures, LyingMeasures, Motion, Outcome,
-    ShockMeasures, StressMeasures, StringTorque, SurfaceMeasures, TorsionMeasures,
+    AxialAcceleration, AxialMeasures, InBand, Label, LateralMeasures, LyingMeasures, Motion,
+    Outcome, ShockMeasures, StressMeasures, StringTorque, SurfaceMeasures, TorsionMeasures,
 };
 
 use super::field::{Field, Kind};
@@ -236,6 +236,18 @@ impl<'a> RecordRow<'a> {
 
     pub(super) fn shocks(&self) -> Option<ShockMeasures> {
         self.lateral().and_then(|lateral| lateral.shocks)
+    }
+
+    pub(super) fn sideways(&self) -> Option<InBand> {
+        self.shocks().and_then(|shocks| shocks.sideways)
+    }
+
+    pub(super) fn tangential(&self) -> Option<InBand> {
+        self.shocks().and_then(|shocks| shocks.tangential)
+    }
+
+    pub(super) fn axial_in_band(&self) -> Option<InBand> {
+        (self.axial_acceleration()).and_then(|acceleration| acceleration.in_band)
     }
 
     pub(super) fn stress(&self) -> Option<StressMeasures> {

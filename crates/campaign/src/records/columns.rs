@@ -13,13 +13,32 @@ use super::verdict::MotionVerdict;
 /// How the columns of what cases are held against begin.
 pub const MISFIT: &str = "misfit_";
 
-/// What version 0.1.0 called `predicted`.
-pub const OLD_PREDICTED: &str = "foretold";
+/// Columns by the names of earlier versions, and as they are called now.
+pub const RENAMED: [(&str, &str); 6] = [
+    ("foretold", "predicted"),
+    ("acceleration_peak_g", "acceleration_step_peak_g"),
+    ("acceleration_rms_g", "acceleration_step_rms_g"),
+    (
+        "tangential_acceleration_peak_g",
+        "tangential_acceleration_step_peak_g",
+    ),
+    (
+        "axial_acceleration_peak_g",
+        "axial_acceleration_step_peak_g",
+    ),
+    ("axial_acceleration_rms_g", "axial_acceleration_step_rms_g"),
+];
+
+/// The name that a column has now, by that or an earlier one.
+pub fn name_now(name: &str) -> &str {
+    let renamed = RENAMED.iter().find(|(old, _)| *old == name);
+    renamed.map_or(name, |(_, new)| new)
+}
 
 /// Whether a column of this name says what a run has found, or of which row, and is no axis.
 pub fn is_of_results(name: &str) -> bool {
-    let is_first = ["case", "method", OLD_PREDICTED].contains(&name);
-    is_first || name.starts_with(MISFIT) || COLUMNS.iter().any(|column| column.name == name)
+    let is_first = ["case", "method"].contains(&name);
+    is_first || name.starts_with(MISFIT) || ResultColumn::named(name).is_some()
 }
 
 /// All columns of results, in their order. Those of what cases are held against, which a sweep
@@ -229,25 +248,51 @@ pub static COLUMNS: &[ResultColumn] = &[
     .group(Group::Cutting)
     .measure(),
     number(
-        "axial_acceleration_peak_g",
+        "axial_acceleration_band_peak_g",
         "g",
-        "Greatest acceleration along the axis in the closing window",
-        |row| row.axial_acceleration().map(|it| to_g(it.peak)).into(),
+        "Greatest acceleration along the axis within the band, in the closing window",
+        |row| row.axial_in_band().map(|it| to_g(it.peak)).into(),
     )
     .of(Motion::Axial)
     .group(Group::Cutting)
     .measure()
     .severity(),
     number(
-        "axial_acceleration_rms_g",
+        "axial_acceleration_band_rms_g",
         "g",
-        "Acceleration along the axis, root mean square over the closing window",
-        |row| row.axial_acceleration().map(|it| to_g(it.rms)).into(),
+        "Acceleration along the axis within the band, root mean square over the closing window",
+        |row| row.axial_in_band().map(|it| to_g(it.rms)).into(),
     )
     .of(Motion::Axial)
     .group(Group::Cutting)
     .measure()
     .severity(),
+    number(
+        "axial_acceleration_band_hz",
+        "Hz",
+        "Band of the acceleration along the axis",
+        |row| row.axial_in_band().map(|it| it.band).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting),
+    number(
+        "axial_acceleration_step_peak_g",
+        "g",
+        "Greatest acceleration along the axis between steps, in the closing window",
+        |row| row.axial_acceleration().map(|it| to_g(it.step_peak)).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure(),
+    number(
+        "axial_acceleration_step_rms_g",
+        "g",
+        "Acceleration along the axis between steps, root mean square over the closing window",
+        |row| row.axial_acceleration().map(|it| to_g(it.step_rms)).into(),
+    )
+    .of(Motion::Axial)
+    .group(Group::Cutting)
+    .measure(),
     number(
         "climb_deg",
         "deg",
@@ -286,33 +331,50 @@ pub static COLUMNS: &[ResultColumn] = &[
     .group(Group::Lying)
     .measure(),
     number(
-        "acceleration_peak_g",
+        "acceleration_band_peak_g",
         "g",
-        "Greatest acceleration sideways in the closing window",
-        |row| row.shocks().map(|it| to_g(it.peak)).into(),
+        "Greatest acceleration sideways within the band, in the closing window",
+        |row| row.sideways().map(|it| to_g(it.peak)).into(),
     )
     .of(Motion::Lateral)
     .group(Group::Shocks)
     .measure()
     .severity(),
     number(
-        "acceleration_rms_g",
+        "acceleration_band_rms_g",
         "g",
         "Root mean square of the acceleration sideways there",
-        |row| row.shocks().map(|it| to_g(it.rms)).into(),
+        |row| row.sideways().map(|it| to_g(it.rms)).into(),
     )
     .of(Motion::Lateral)
     .group(Group::Shocks)
     .measure(),
     number(
-        "tangential_acceleration_peak_g",
+        "tangential_acceleration_band_peak_g",
         "g",
-        "Greatest acceleration there along the string's surface",
-        |row| row.shocks().map(|it| to_g(it.tangential_peak)).into(),
+        "Greatest acceleration there along the string's surface within the band",
+        |row| row.tangential().map(|it| to_g(it.peak)).into(),
     )
     .of(Motion::Lateral)
     .group(Group::Shocks)
     .measure(),
+    number(
+        "tangential_acceleration_band_rms_g",
+        "g",
+        "Root mean square of the acceleration there along the string's surface",
+        |row| row.tangential().map(|it| to_g(it.rms)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Shocks)
+    .measure(),
+    number(
+        "acceleration_band_hz",
+        "Hz",
+        "Band of the accelerations there",
+        |row| row.sideways().map(|it| it.band).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Shocks),
     number(
         "lateral_shocks_per_s",
         "shocks/s",
@@ -330,6 +392,33 @@ pub static COLUMNS: &[ResultColumn] = &[
     )
     .of(Motion::Lateral)
     .group(Group::Shocks),
+    number(
+        "acceleration_step_peak_g",
+        "g",
+        "Greatest acceleration sideways there between steps",
+        |row| row.shocks().map(|it| to_g(it.step_peak)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Shocks)
+    .measure(),
+    number(
+        "acceleration_step_rms_g",
+        "g",
+        "Root mean square of the acceleration sideways there between steps",
+        |row| row.shocks().map(|it| to_g(it.step_rms)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Shocks)
+    .measure(),
+    number(
+        "tangential_acceleration_step_peak_g",
+        "g",
+        "Greatest acceleration there along the string's surface between steps",
+        |row| row.shocks().map(|it| to_g(it.tangential_step_peak)).into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Shocks)
+    .measure(),
     number(
         "bending_moment_peak_kn_m",
         "kN m",
@@ -613,8 +702,9 @@ pub const FAILED: &str = "failed";
 const CERTIFIED: &str = "_certified";
 
 impl ResultColumn {
-    /// The column of a name.
+    /// The column of a name, or of an earlier one.
     pub fn named(name: &str) -> Option<&'static Self> {
+        let name = name_now(name);
         COLUMNS.iter().find(|column| column.name == name)
     }
 

@@ -22,8 +22,8 @@ mod wall_push;
 
 pub use column::{Group, Needs, RecordRow, ResultColumn, to_kn, to_m_h, to_mm, to_rpm, to_turns};
 pub use columns::{
-    COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, OLD_PREDICTED, PUSH_COLUMNS,
-    STICK_SLIP_MARGIN, is_of_results,
+    COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, PUSH_COLUMNS, RENAMED,
+    STICK_SLIP_MARGIN, is_of_results, name_now,
 };
 pub use field::{Field, Kind};
 pub use measure::Measure;

@@ -77,7 +77,7 @@ pub struct WallTable {
     /// under its weight; with `false` it hangs in the middle, as in a vertical well.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lies_on_low_side: Option<bool>,
-    /// The acceleration sideways, in g, beyond which a shock is counted, where accelerations are
+    /// The acceleration sideways within its band, in g, beyond which a shock is counted, where accelerations are
     /// measured: those of a string that lies in its hole or has `[[tools]]` (left out, 25 g), others only
     /// if this is given.
     #[schemars(range(min = 0.001, max = 1e5))]
@@ -208,6 +208,12 @@ pub struct ToolTable {
     /// Where on the string, at a site or anywhere else.
     #[schemars(range(min = 0.0))]
     pub distance_from_bit_m: f64,
+    /// The band within which it records: its three-pole Bessel filter has half the power there; left
+    /// out, 100 Hz. No more than a quarter of the sampling frequency is held, and `run`, `simulate` and
+    /// `inspect` warn where that is less.
+    #[schemars(range(min = 0.1, max = 1e5))]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub band_hz: Option<f64>,
 }
 
 /// A place on the string.

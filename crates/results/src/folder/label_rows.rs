@@ -8,8 +8,8 @@ use sim::{Label, Labels, Motion, PerMotion};
 use super::label_row::LabelRow;
 use super::recorded_rows::RecordedRows;
 use campaign::records::{
-    Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, Measure, OLD_PREDICTED,
-    PUSH_COLUMNS, ResultColumn, STICK_SLIP_MARGIN, WallPush,
+    Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, Measure, PUSH_COLUMNS,
+    ResultColumn, STICK_SLIP_MARGIN, WallPush, name_now,
 };
 
 use campaign::quantities::Axis;
@@ -96,7 +96,7 @@ impl LabelColumns {
     ) -> Result<Self, LabelError> {
         let place = |name: &str| {
             let mut fields = header.clone().enumerate();
-            let mut next = || fields.find(|(_, field)| *field == name);
+            let mut next = || fields.find(|(_, field)| name_now(field) == name);
             match (next(), next()) {
                 (Some(_), Some(_)) => Err(LabelError::TwoColumns(name.to_owned())),
                 (first, _) => Ok(first.map(|(place, _)| place)),
@@ -120,7 +120,7 @@ impl LabelColumns {
                 .map(|&axis| column(&axis.name()).map(|place| (axis, place)))
                 .collect::<Result<_, _>>()?,
             labels: of_motions(ResultColumn::label_of)?,
-            predicted: place("predicted")?.or(place(OLD_PREDICTED)?),
+            predicted: place("predicted")?,
             misfits: (header.clone().enumerate())
                 .filter(|(_, name)| name.starts_with(MISFIT))
                 .map(|(place, _)| place)

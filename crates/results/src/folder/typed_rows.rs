@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use csv::StringRecord;
 
 use campaign::quantities::Axis;
-use campaign::records::{Field, Kind, MISFIT, ResultColumn};
+use campaign::records::{Field, Kind, MISFIT, ResultColumn, name_now};
 use campaign::text_file::unreadable;
 
 /// The columns of a table, each with what it holds.
@@ -37,12 +37,7 @@ pub fn typed_rows(path: &Path) -> Result<(TypedColumns, impl Iterator<Item = Res
 
 /// The name of a column, and what it holds; what is not known is text.
 fn column(name: &str) -> (String, Kind) {
-    // As version 0.1.0 called it.
-    let name = if name == "foretold" {
-        "predicted"
-    } else {
-        name
-    };
+    let name = name_now(name);
     let kind = match (name, ResultColumn::named(name)) {
         (_, Some(column)) => column.kind,
         ("case", _) => Kind::Count,
@@ -86,8 +81,6 @@ fn word(kind: Kind) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use campaign::records::OLD_PREDICTED;
-
     use super::*;
 
     fn read(table: &str) -> Result<(TypedColumns, Vec<TypedRow>)> {
@@ -99,18 +92,17 @@ mod tests {
 
     #[test]
     fn every_column_has_its_kind_and_its_present_name() {
-        let table = format!(
-            "case,method,friction,torsion,sticks,period_s,misfit_a_rpm,torsion_certified,\
-             {OLD_PREDICTED},other\n7,held,0.5,smooth,,1e-3,2,true,smooth,x\n"
-        );
-        let (columns, rows) = read(&table).expect("a table");
+        let table = "case,method,friction,torsion,sticks,period_s,misfit_a_rpm,torsion_certified,\
+             foretold,other,acceleration_peak_g\n7,held,0.5,smooth,,1e-3,2,true,smooth,x,3\n";
+        let (columns, rows) = read(table).expect("a table");
         let kinds: Vec<Kind> = columns.iter().map(|(_, kind)| *kind).collect();
         use Kind::{Count, Flag, Number, Text};
         let expected = [
-            Count, Text, Number, Text, Count, Number, Number, Flag, Text, Text,
+            Count, Text, Number, Text, Count, Number, Number, Flag, Text, Text, Number,
         ];
         assert_eq!(kinds, expected);
         assert_eq!(columns[8].0, "predicted");
+        assert_eq!(columns[10].0, "acceleration_step_peak_g");
         assert_eq!(rows[0][0], Field::Count(7));
         assert_eq!(rows[0][4], Field::Nothing);
         assert_eq!(rows[0][5], Field::Number(1e-3));

@@ -179,9 +179,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
         }
         let (lateral, step) = (self.scene.lateral.as_ref()?, self.stepper.next_step());
         let turns = self.scene.turns_against_rock() || !self.scene.friction.is_empty();
-        // A string that lies on its wall swings more slowly than these windows.
+        // A string that lies on its wall swings more slowly than these windows, and accelerations are those
+        // of the closing window.
         if turns
             || lateral.lying.is_some()
+            || lateral.shocks.is_some()
             || !is_left_alone(lateral, self.system.sampling.start_of(step))
         {
             return None;

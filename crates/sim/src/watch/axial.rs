@@ -10,6 +10,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::band::{AccelerationSums, DifferenceOf, Filtered, InBand, LowPass, USUAL_BAND};
 use super::rules::Rules;
 use crate::laws::cutting::CutStep;
 use crate::sampling::Sampling;
@@ -57,15 +58,69 @@ pub struct AxialMeasures {
     pub acceleration: Option<AxialAcceleration>,
 }
 
-/// Acceleration of a bit along its axis, by the difference of its rates in two steps: where it lands
-/// or stops within a step, the greatest grows with the sampling frequency.
+/// Acceleration of a bit along its axis.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct AxialAcceleration {
-    /// The greatest, m/s².
-    pub peak: f64,
-    /// Root mean square, m/s².
-    pub rms: f64,
+    /// Acceleration within the band of a sensor; `None` in records of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub in_band: Option<InBand>,
+    /// The greatest by the difference of its rates in two steps, m/s²: where it lands or stops within a
+    /// step, it grows with the sampling frequency.
+    #[serde(alias = "peak")]
+    pub step_peak: f64,
+    /// Its root mean square, m/s².
+    #[serde(alias = "rms")]
+    pub step_rms: f64,
+}
+
+/// Watches the acceleration along the axis by rates, step by step.
+#[derive(Debug, Clone)]
+pub(crate) struct AxialShocks {
+    /// Hz.
+    sampling_frequency: f64,
+    filter: LowPass,
+    filtered: Filtered,
+    last_rate: Option<f64>,
+    in_band: AccelerationSums,
+    in_steps: AccelerationSums,
+}
+
+impl AxialShocks {
+    /// Of a sensor of a band, Hz.
+    pub(crate) fn new(band: f64, sampling_frequency: f64) -> Self {
+        Self {
+            sampling_frequency,
+            filter: LowPass::new(band, sampling_frequency),
+            filtered: Filtered::default(),
+            last_rate: None,
+            in_band: AccelerationSums::default(),
+            in_steps: AccelerationSums::default(),
+        }
+    }
+
+    /// The rate in the next step, m/s, which counts or not.
+    pub(crate) fn see(&mut self, rate: f64, counts: bool) {
+        // The first step of a case is the end of none.
+        let Some(last) = self.last_rate.replace(rate) else {
+            return;
+        };
+        let acceleration = (rate - last) * self.sampling_frequency;
+        let within = (self.filter).pass(&mut self.filtered, acceleration, DifferenceOf::Speeds);
+        if counts {
+            self.in_band.add(within * within);
+            self.in_steps.add(acceleration * acceleration);
+        }
+    }
+
+    pub(crate) fn measures(&self) -> Option<AxialAcceleration> {
+        let in_band = self.in_band.within(&self.filter);
+        (self.in_steps.measures()).map(|[step_peak, step_rms]| AxialAcceleration {
+            in_band,
+            step_peak,
+            step_rms,
+        })
+    }
 }
 
 impl AxialMeasures {
@@ -83,7 +138,6 @@ impl AxialMeasures {
 #[derive(Debug, Clone)]
 pub(crate) struct CutWatch {
     rules: Rules,
-    sampling: Sampling,
     closing_from: usize,
     step: usize,
     /// How fast it went down in the last step, m/s.
@@ -98,9 +152,7 @@ pub(crate) struct CutWatch {
     weight: f64,
     peak_weight: f64,
     peak_depth_of_cut: f64,
-    /// Of its acceleration, m/s².
-    peak_acceleration: f64,
-    sum_of_squares: f64,
+    shocks: AxialShocks,
 }
 
 impl CutWatch {
@@ -108,7 +160,6 @@ impl CutWatch {
         let window = ((closing_window * sampling.frequency).round() as usize).min(steps);
         Self {
             rules,
-            sampling,
             closing_from: steps.saturating_sub(window.max(1)),
             step: 0,
             last_rate: 0.0,
@@ -121,8 +172,7 @@ impl CutWatch {
             weight: 0.0,
             peak_weight: 0.0,
             peak_depth_of_cut: 0.0,
-            peak_acceleration: 0.0,
-            sum_of_squares: 0.0,
+            shocks: AxialShocks::new(USUAL_BAND, sampling.frequency),
         }
     }
 
@@ -139,12 +189,8 @@ impl CutWatch {
             self.weight += cut.weight;
             self.peak_weight = self.peak_weight.max(cut.weight);
             self.peak_depth_of_cut = self.peak_depth_of_cut.max(cut.depth_of_cut);
-            if self.step > 0 {
-                let acceleration = (cut.rate - self.last_rate).abs() * self.sampling.frequency;
-                self.peak_acceleration = self.peak_acceleration.max(acceleration);
-                self.sum_of_squares += acceleration * acceleration;
-            }
         }
+        self.shocks.see(cut.rate, self.step >= self.closing_from);
         self.last_rate = cut.rate;
         self.step += 1;
     }
@@ -163,8 +209,6 @@ impl CutWatch {
             AxialRegime::Steady
         };
         let steady = steady_rate(weight, speed);
-        // The first step of a case is the end of none.
-        let differences = self.step.saturating_sub(self.closing_from.max(1));
         AxialMeasures {
             regime,
             rate_of_penetration: rate,
@@ -175,10 +219,7 @@ impl CutWatch {
             mean_weight: weight,
             peak_weight: self.peak_weight,
             peak_depth_of_cut: self.peak_depth_of_cut,
-            acceleration: (differences > 0).then(|| AxialAcceleration {
-                peak: self.peak_acceleration,
-                rms: (self.sum_of_squares / differences as f64).sqrt(),
-            }),
+            acceleration: self.shocks.measures(),
         }
     }
 }
@@ -225,7 +266,7 @@ mod tests {
         let acceleration = found.acceleration.unwrap();
         let expected = swing * turns;
         assert!(
-            (acceleration.peak / expected - 1.0).abs() < 1e-3,
+            (acceleration.step_peak / expected - 1.0).abs() < 1e-3,
             "{acceleration:?}"
         );
         let whole_turn: f64 = (60..100)
@@ -233,7 +274,7 @@ mod tests {
             .sum();
         let rms = expected * (whole_turn / 40.0).sqrt();
         assert!(
-            (acceleration.rms / rms - 1.0).abs() < 1e-3,
+            (acceleration.step_rms / rms - 1.0).abs() < 1e-3,
             "{acceleration:?} {rms}"
         );
     }

@@ -136,7 +136,8 @@ impl LateralMeasures {
             ),
             (
                 "greatest acceleration",
-                self.shocks.map_or(0.0, |it| it.peak + it.tangential_peak),
+                self.shocks
+                    .map_or(0.0, |it| it.step_peak + it.tangential_step_peak),
             ),
             ("largest radius", self.peak_radius),
             ("mean radius in the closing window", self.mean_radius),
@@ -254,9 +255,9 @@ impl WallWatch {
 
     /// The same, which measures accelerations where the scene asks for these.
     pub(crate) fn of_shocks<W: WallLaw>(self, lateral: &Lateral<W>) -> Self {
-        let radii = || lateral.walls.iter().map(WallLaw::radius).collect();
+        let radii = || lateral.walls.iter().map(WallLaw::radius);
         let rate = self.sampling.frequency;
-        let of = |threshold| ShockWatch::new(threshold, radii(), rate, self.closing_from);
+        let of = |threshold| ShockWatch::at_sites(threshold, radii(), rate, self.closing_from);
         Self {
             shocks: lateral.shocks.map(of),
             ..self

@@ -3,6 +3,7 @@
 
 pub mod along;
 pub mod axial;
+pub(crate) mod band;
 pub mod lateral;
 pub(crate) mod motor;
 pub(crate) mod rubbing;
