@@ -514,7 +514,10 @@ fn close_sites_with_much_friction_that_come_from_across_the_hole_settle() {
     let off = steps.map(|walls| walls.settle().map(|loads| walls.off(&loads)));
     let off: Vec<Option<f64>> = off.collect();
     let given_up = off.iter().filter(|off| off.is_none()).count();
-    let most = off.iter().flatten().fold(0.0, |most: f64, off| most.max(*off));
+    let most = off
+        .iter()
+        .flatten()
+        .fold(0.0, |most: f64, off| most.max(*off));
     assert!(given_up <= 1, "{given_up}");
     assert!(most < 1e-9, "{most:e}");
 }

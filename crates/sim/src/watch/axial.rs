@@ -108,7 +108,7 @@ impl AxialShocks {
         let acceleration = (rate - last) * self.sampling_frequency;
         let within = (self.filter).pass(&mut self.filtered, acceleration, DifferenceOf::Speeds);
         if counts {
-            self.in_band.add(within * within);
+            self.in_band.add_in_band(within * within);
             self.in_steps.add(acceleration * acceleration);
         }
     }

@@ -7,8 +7,8 @@
 //!
 //! The data sheet of the Analog Devices ADXL180 has this filter, with f_b of 100, 200, 400 or 800 Hz to
 //! choose from, and the lowest is what is taken unless a tool says otherwise: whirl goes round less often
-//! than that, and the usual sampling frequency holds it. Its steps are those of the bilinear transform,
-//! which is stable at any sampling frequency, made exact at f_b.
+//! than that, and the usual sampling frequency holds it. Its steps are samples of its answer to impulses (by
+//! its three poles), which are stable at any sampling frequency, made exact for what is constant.
 //!
 //! An acceleration is a difference of positions (of speeds), and too small by (sin x/x)² (by sin x/x),
 //! x = π f/f_s. The next term of its series makes up for that: a − δ²a/12 (a − δ²a/24), one step late.
@@ -29,7 +29,7 @@ pub const PERIODS_TO_SETTLE: f64 = 5.0;
 
 /// −3 dB of Bessel's filter of unit delay, rad/s.
 const HALF_POWER: f64 = 1.755_672_368_681_21;
-/// Its real pole, and the quadratic of the other two: s³ + 6 s² + 15 s + 15 = (s + p)(s² + b s + c).
+/// Its real pole −p, and the sum and the product of the other two: s³ + 6 s² + 15 s + 15 = (s + p)(s² + b s + c).
 const POLE: f64 = 2.322_185_354_626_086;
 const PAIR: [f64; 2] = [6.0 - POLE, 15.0 / POLE];
 
@@ -51,9 +51,24 @@ pub(crate) struct AccelerationSums {
     pub(crate) peak_square: f64,
     sum_of_squares: f64,
     steps: usize,
+    /// The last two squares, the latest first.
+    last: [f64; 2],
 }
 
 impl AccelerationSums {
+    /// Adds the square of an acceleration within a band, (m/s²)²: the greatest between steps is that of
+    /// the parabola through three.
+    #[inline]
+    pub(crate) fn add_in_band(&mut self, square: f64) {
+        let [middle, first] = self.last;
+        if self.steps > 1 && middle > square.max(first) {
+            let above = (square - first).powi(2) / (8.0 * (2.0 * middle - first - square));
+            self.peak_square = self.peak_square.max(middle + above);
+        }
+        self.last = [square, middle];
+        self.add(square);
+    }
+
     /// Adds the square of an acceleration, (m/s²)².
     #[inline]
     pub(crate) fn add(&mut self, square: f64) {
@@ -98,15 +113,17 @@ pub(crate) enum DifferenceOf {
     Speeds,
 }
 
-/// The filter of a band.
+/// The filter of a band: a sum of a decay and of a swing that decays, of every acceleration so far.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LowPass {
     /// The band that it has, Hz.
     band: f64,
-    /// What is given of the sum of the last two inputs, and of the last output.
-    single: [f64; 2],
-    /// The same of three inputs, and of the last two outputs.
-    pair: [f64; 3],
+    /// What is left of the decay after a step.
+    decay: f64,
+    /// The same of the swing, by real and imaginary part.
+    swing: [f64; 2],
+    /// What the output has of decay, and of both parts of the swing.
+    parts: [f64; 3],
 }
 
 /// What a filter remembers of one component of an acceleration.
@@ -114,24 +131,32 @@ pub(crate) struct LowPass {
 pub(crate) struct Filtered {
     /// The last two accelerations, the latest first, m/s².
     inputs: [f64; 2],
-    corrected: f64,
-    singles: [f64; 2],
-    outputs: [f64; 2],
+    decay: f64,
+    swing: [f64; 2],
 }
 
 impl LowPass {
     /// The filter of a band (Hz), or of the highest that the sampling frequency (Hz) holds.
     pub(crate) fn new(band: f64, sampling_frequency: f64) -> Self {
         let band = band.min(highest_band(sampling_frequency));
-        let warped = (std::f64::consts::PI * band / sampling_frequency).tan() / HALF_POWER;
-        let single = POLE * warped;
-        let [linear, constant] = [PAIR[0] * warped, PAIR[1] * warped * warped];
-        let whole = 1.0 + linear + constant;
+        let step = std::f64::consts::TAU * band / (HALF_POWER * sampling_frequency);
+        let falls = 0.5 * PAIR[0];
+        let turns = (PAIR[1] - falls * falls).sqrt();
+        let decay = (-POLE * step).exp();
+        let (sin, cos) = (turns * step).sin_cos();
+        let swing = [cos, sin].map(|part| (-falls * step).exp() * part);
+        // Residues of 15/((s + p)(s² + b s + c)), in parts of the first.
+        let residues = [1.0, -1.0, (POLE - falls) / turns];
+        // What is constant leaves 1/(1 − decay) and 1/(1 − swing).
+        let [real, imaginary] = [1.0 - swing[0], swing[1]];
+        let square = real * real + imaginary * imaginary;
+        let constant = [1.0 / (1.0 - decay), real / square, imaginary / square];
+        let whole: f64 = residues.iter().zip(constant).map(|(a, b)| a * b).sum();
         Self {
             band,
-            single: [single, 1.0 - single].map(|part| part / (1.0 + single)),
-            pair: [constant, 2.0 - 2.0 * constant, linear - 1.0 - constant]
-                .map(|part| part / whole),
+            decay,
+            swing,
+            parts: residues.map(|residue| residue / whole),
         }
     }
 
@@ -144,18 +169,17 @@ impl LowPass {
         };
         let [last, first] = state.inputs;
         let corrected = last - part * (input - 2.0 * last + first);
-        let [in_parts, of_last] = self.single;
-        let single = in_parts * (corrected + state.corrected) + of_last * state.singles[0];
-        let [in_parts, of_last, of_first] = self.pair;
-        let inputs = single + 2.0 * state.singles[0] + state.singles[1];
-        let output = in_parts * inputs + of_last * state.outputs[0] + of_first * state.outputs[1];
+        let ([cos, sin], [real, imaginary]) = (self.swing, state.swing);
         *state = Filtered {
             inputs: [input, last],
-            corrected,
-            singles: [single, state.singles[0]],
-            outputs: [output, state.outputs[0]],
+            decay: self.decay * state.decay + corrected,
+            swing: [
+                cos * real - sin * imaginary + corrected,
+                sin * real + cos * imaginary,
+            ],
         };
-        output
+        let [of_decay, of_real, of_imaginary] = self.parts;
+        of_decay * state.decay + of_real * state.swing[0] + of_imaginary * state.swing[1]
     }
 }
 
@@ -179,7 +203,8 @@ mod tests {
         let rate = TAU * frequency / sampling;
         let at = |step: usize| (rate * step as f64).sin();
         let settled = steps_to_settle(band, sampling) + 2;
-        let outputs = (2..settled + 4000).map(|step| {
+        // A second more, in which are whole periods.
+        let outputs = (2..settled + 2 + sampling as usize).map(|step| {
             // Of a unit of acceleration, per step².
             let difference = match of {
                 DifferenceOf::Positions => {
@@ -208,7 +233,7 @@ mod tests {
     #[test]
     fn an_oscillation_has_the_amplitude_that_the_sensor_gives() {
         for of in [DifferenceOf::Positions, DifferenceOf::Speeds] {
-            for (sampling, within) in [(640.0, 0.03), (1280.0, 8e-3), (5120.0, 5e-4)] {
+            for (sampling, within) in [(640.0, 0.03), (1280.0, 2e-3), (5120.0, 2e-4)] {
                 for frequency in [2.0, 20.0, 45.0, 70.0, 100.0] {
                     let found = left_of(frequency, 100.0, sampling, of);
                     let expected = exact(frequency / 100.0);
