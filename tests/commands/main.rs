@@ -17,6 +17,7 @@ mod sensitivity;
 mod trace;
 mod walls;
 mod window;
+mod window_of_lying;
 
 #[allow(dead_code, reason = "other test programs use more of it")]
 #[path = "../support/refusals.rs"]

@@ -13,20 +13,20 @@ fn grid(count: usize) -> String {
     ))
 }
 
-fn done(place: &Workplace, arguments: &[&str]) -> String {
+pub fn done(place: &Workplace, arguments: &[&str]) -> String {
     let answer = place.sweep(arguments);
     assert_eq!(answer.code, 0, "{arguments:?}: {}", answer.errors);
     answer.output
 }
 
-fn refused(place: &Workplace, arguments: &[&str], message: &str) {
+pub fn refused(place: &Workplace, arguments: &[&str], message: &str) {
     let answer = place.sweep(arguments);
     assert_eq!(answer.code, 2, "{arguments:?}: {}", answer.output);
     assert!(answer.errors.contains(message), "{}", answer.errors);
 }
 
 /// Rows of a table by the names of its columns.
-fn table(place: &Workplace, name: &str) -> (Vec<String>, Vec<Vec<String>>) {
+pub fn table(place: &Workplace, name: &str) -> (Vec<String>, Vec<Vec<String>>) {
     let text = std::fs::read_to_string(place.path(name)).unwrap();
     let row = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
     let mut rows = text.lines().map(row);
@@ -34,13 +34,21 @@ fn table(place: &Workplace, name: &str) -> (Vec<String>, Vec<Vec<String>>) {
 }
 
 /// A cell of the window: its weights, its speeds, how it stands and to what.
-struct Cell {
-    ends: [[f64; 2]; 2],
-    standing: String,
-    limits: String,
+pub struct Cell {
+    pub ends: [[f64; 2]; 2],
+    pub standing: String,
+    pub limits: String,
 }
 
-fn cells(place: &Workplace, name: &str) -> Vec<Cell> {
+impl Cell {
+    /// Whether a weight and a speed are in it.
+    pub fn has(&self, [weight, speed]: [f64; 2]) -> bool {
+        let [weights, speeds] = self.ends;
+        (weights[0]..=weights[1]).contains(&weight) && (speeds[0]..=speeds[1]).contains(&speed)
+    }
+}
+
+pub fn cells(place: &Workplace, name: &str) -> Vec<Cell> {
     let (header, rows) = table(place, name);
     let expected = "weight_on_bit_kn_from,weight_on_bit_kn_to,surface_speed_rpm_from,\
                     surface_speed_rpm_to,standing,limits,rate_of_penetration_m_h";
@@ -242,7 +250,7 @@ fn what_was_not_simulated_is_not_known() {
 }
 
 /// A uniform string held at the bit and 20 m above, that hangs free beyond.
-fn held() -> String {
+pub fn held() -> String {
     let part = "{ length_m = 0.5, inner_radius_m = 0.04, outer_radius_m = 0.15 },";
     let uniform = with(SMALL, part, "");
     let setting = uniform.split("[bit]").next().unwrap();
@@ -320,16 +328,16 @@ fn random_cases_are_safe_where_enough_of_them_are() {
 }
 
 /// Numbers from 0 to 1 that follow from a seed (the generator of Knuth's MMIX).
-struct Numbers(u64);
+pub struct Numbers(pub u64);
 
 impl Numbers {
-    fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
         self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn between(&mut self, from: f64, to: f64) -> f64 {
+    pub fn between(&mut self, from: f64, to: f64) -> f64 {
         from + (to - from) * self.next()
     }
 }
@@ -421,12 +429,7 @@ fn what_is_safe_is_smooth_by_another_method_too() {
         let mut own = [0; 2];
         for row in &labels {
             let at = axes.map(|column| row[column].parse::<f64>().unwrap());
-            let has = |cell: &&Cell| {
-                let [weights, speeds] = cell.ends;
-                (weights[0]..=weights[1]).contains(&at[0])
-                    && (speeds[0]..=speeds[1]).contains(&at[1])
-            };
-            if cells.iter().find(has).unwrap().standing == "safe" {
+            if cells.iter().find(|cell| cell.has(at)).unwrap().standing == "safe" {
                 own[0] += 1;
                 own[1] += usize::from(row[column("torsion")] != "smooth");
             }

@@ -66,7 +66,7 @@ pub use curves::Curve;
 pub use envelope::Envelope;
 pub use forward_contact::ForwardContact;
 pub use growing_roots::{DrillingPoint, drilling_points};
-pub use lying_limit::{LyingLimit, LyingPoint};
+pub use lying_limit::{LyingLimit, LyingPoint, swing_frequencies};
 pub use many_sites_limit::{MOST_SITES, many_sites_limit};
 pub use motor_stall::motor_stalls;
 pub use torsion_limit::{StickSlipPoint, TorsionLimit};

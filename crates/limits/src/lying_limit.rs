@@ -6,7 +6,7 @@ use linear::BuildError;
 use linear::bending_modes::BendingModes;
 use serde::{Deserialize, Serialize};
 use statics::closed_forms::climb;
-use statics::{ContactState, StaticState};
+use statics::{ContactState, LyingString, StaticState};
 
 use crate::axes::{position, range_of_axis};
 use crate::torsion_limit::MOTOR_STALLS;
@@ -121,11 +121,10 @@ pub(crate) fn lying_points(sweep: &Sweep) -> Vec<LyingPoint> {
             (0..=POINTS).map(value).collect()
         });
         let axis = along.map(|place| axes[place]);
-        points.extend(
-            values
-                .iter()
-                .flat_map(|value| speeds_at(sweep, axis, *value)),
-        );
+        let mut rounds = Rounds::default();
+        for value in values {
+            points.extend(speeds_at(sweep, axis, value, &mut rounds));
+        }
     }
     points.sort_by_key(|point| (point.limit, point.swing));
     points
@@ -163,13 +162,18 @@ fn buckling_weight(sweep: &Sweep) -> Option<f64> {
 }
 
 /// The speeds that are limits at a value of an axis; none where no steady state is found there.
-fn speeds_at(sweep: &Sweep, axis: Option<Axis>, value: f64) -> Vec<LyingPoint> {
+fn speeds_at(
+    sweep: &Sweep,
+    axis: Option<Axis>,
+    value: f64,
+    rounds: &mut Rounds,
+) -> Vec<LyingPoint> {
     let conditions = match axis {
         Some(axis) => sweep.conditions.with(axis, value),
         None => sweep.conditions.clone(),
     };
     let setting = sweep.setting_with(axis.map(|axis| (axis, value)).into_iter());
-    let speeds = setting.ok().and_then(|it| speeds(&it, &conditions));
+    let speeds = setting.ok().and_then(|it| speeds(&it, &conditions, rounds));
     let speeds = speeds.unwrap_or_default().into_iter();
     let friction = sweep.setting.sliding_frictions(&conditions);
     let friction = friction.and_then(|it| same(&it));
@@ -183,16 +187,78 @@ fn speeds_at(sweep: &Sweep, axis: Option<Axis>, value: f64) -> Vec<LyingPoint> {
     speeds.map(point).collect()
 }
 
+/// The ratios λ of the limits of rolling at the last friction that was asked for: along the weight on bit
+/// it is always the same.
+#[derive(Default)]
+struct Rounds(Option<(f64, [(LyingLimit, f64); 2])>);
+
+impl Rounds {
+    fn at(&mut self, friction: f64) -> [(LyingLimit, f64); 2] {
+        match self.0 {
+            Some((last, ratios)) if last == friction => ratios,
+            _ => {
+                let goes_round = climb::goes_round_once_rolling(friction);
+                let ratios = [
+                    (LyingLimit::GoesRound, goes_round),
+                    (LyingLimit::RollsAllRound, climb::rolls_all_round(friction)),
+                ];
+                self.0 = Some((friction, ratios));
+                ratios
+            }
+        }
+    }
+}
+
 /// A limit, the number of its swing, and its speed, rad/s.
 type Speed = (LyingLimit, Option<usize>, f64);
 
+/// Frequencies of the small swings about its steady climb of a string that lies, up to a highest (rad/s),
+/// from the slowest on, where some quantities have other values than those of the file; none where it does
+/// not lie, or no steady state is found.
+pub fn swing_frequencies(sweep: &Sweep, values: &[(Axis, f64)], highest: f64) -> Option<Vec<f64>> {
+    let setting = sweep.setting_with(values.iter().copied()).ok()?;
+    let conditions = values
+        .iter()
+        .fold(sweep.conditions.clone(), |conditions, (axis, value)| {
+            conditions.with(*axis, *value)
+        });
+    let climb = SteadyClimb::new(&setting, &conditions)?;
+    let frequencies = (0..climb.modes.below(highest * highest))
+        .filter_map(|number| climb.modes.frequency(number))
+        // Of a string that buckles the first are none.
+        .filter(|frequency| *frequency > 0.0);
+    Some(frequencies.collect())
+}
+
+/// A string that slides steadily on the low side of its hole.
+struct SteadyClimb {
+    lying: LyingString,
+    frictions: Vec<f64>,
+    modes: BendingModes,
+}
+
+impl SteadyClimb {
+    fn new(setting: &Setting, conditions: &Conditions) -> Option<Self> {
+        let lateral = setting.lateral.as_ref()?;
+        let lying = setting.lying_string(conditions, None)?.ok()?;
+        let frictions = setting.sliding_frictions(conditions)?;
+        let sliding = lying.sliding_with(&frictions).ok()?;
+        let modes = swinging(setting, lateral, &sliding, &frictions).ok()?;
+        Some(Self {
+            lying,
+            frictions,
+            modes,
+        })
+    }
+}
+
 /// Limits of speed of a string under the conditions of a case.
-fn speeds(setting: &Setting, conditions: &Conditions) -> Option<Vec<Speed>> {
-    let lateral = setting.lateral.as_ref()?;
-    let lying = setting.lying_string(conditions, None)?.ok()?;
-    let frictions = setting.sliding_frictions(conditions)?;
-    let sliding = lying.sliding_with(&frictions).ok()?;
-    let modes = swinging(setting, lateral, &sliding, &frictions).ok()?;
+fn speeds(setting: &Setting, conditions: &Conditions, rounds: &mut Rounds) -> Option<Vec<Speed>> {
+    let SteadyClimb {
+        lying,
+        frictions,
+        modes,
+    } = SteadyClimb::new(setting, conditions)?;
     let mut speeds: Vec<Speed> = (0..SWINGS)
         .filter_map(|number| Some((LyingLimit::Swing, Some(number), modes.frequency(number)?)))
         .collect();
@@ -207,14 +273,7 @@ fn speeds(setting: &Setting, conditions: &Conditions) -> Option<Vec<Speed>> {
     };
     let pressed: f64 = at_rest.contacts().iter().map(up).sum();
     let acceleration = pressed / modes.mass();
-    let rounds = [
-        (
-            LyingLimit::GoesRound,
-            climb::goes_round_once_rolling(friction),
-        ),
-        (LyingLimit::RollsAllRound, climb::rolls_all_round(friction)),
-    ];
-    for (limit, ratio) in rounds {
+    for (limit, ratio) in rounds.at(friction) {
         let touching = at_rest.contacts().iter().filter(|it| it.touches);
         let of_part = touching.map(|it| {
             let [x, y] = it.displacement;

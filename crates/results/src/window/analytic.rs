@@ -1,6 +1,8 @@
 //! Limits that are known without a case.
 
+use super::chart::{Drawn, Source};
 use super::standing::Standing;
+use campaign::words::short;
 use limits::Curve;
 
 /// A critical speed with its margin, rpm.
@@ -8,21 +10,54 @@ use limits::Curve;
 pub struct Resonance {
     /// How often a turn the string is shaken.
     pub order: f64,
-    /// The surface speed at which that meets a natural frequency.
-    pub speed: f64,
+    /// From the least to the greatest surface speed at which that meets a natural frequency.
+    pub speeds: [f64; 2],
     /// From where to where it may be met.
     pub range: [f64; 2],
 }
 
 impl Resonance {
-    /// That of an order and a natural frequency (Hz), which may be off by a part.
-    pub fn of(order: f64, frequency: f64, margin: f64) -> Self {
-        let speed = 60.0 * frequency / order;
+    /// A critical speed of an order and a natural frequency (Hz), known to be between two, each of which
+    /// may be off by a part.
+    pub fn new(order: f64, frequencies: [f64; 2], margin: f64) -> Self {
+        let speeds = frequencies.map(|frequency| 60.0 * frequency / order);
         Self {
             order,
-            speed,
-            range: [speed * (1.0 - margin), speed * (1.0 + margin)],
+            speeds,
+            range: [speeds[0] * (1.0 - margin), speeds[1] * (1.0 + margin)],
         }
+    }
+
+    /// The critical speed in words, rpm.
+    pub fn words(&self) -> String {
+        let [least, most] = self.speeds.map(short);
+        match least == most {
+            true => least,
+            false => format!("{least} to {most}"),
+        }
+    }
+}
+
+/// Critical speeds of an order on a map as a limit, with their margin.
+pub fn resonance_limit(
+    name: &str,
+    order: f64,
+    (all, margin): (Vec<Resonance>, f64),
+    held: &str,
+) -> Source<'static> {
+    let critical: Vec<String> = all.iter().map(Resonance::words).collect();
+    let critical = match &critical[..] {
+        [] => "none on the map".to_owned(),
+        critical => format!("{} rpm", critical.join(", ")),
+    };
+    let order = short(order);
+    let band = |it: &Resonance| (it.range, format!("{order}×: {} rpm", it.words()));
+    Source {
+        name: format!("{name} {order}×"),
+        description: format!("{critical}, ± {} %; {held}", short(100.0 * margin)),
+        edges: [Vec::new(), all.iter().flat_map(|it| it.range).collect()],
+        drawn: Drawn::Bands(all.iter().map(band).collect()),
+        standing: Box::new(move |ends| near_resonances(&all, ends)),
     }
 }
 
@@ -125,8 +160,8 @@ mod tests {
 
     #[test]
     fn a_critical_speed_is_kept_clear_of_by_its_margin() {
-        let found = Resonance::of(2.0, 4.0, 0.1);
-        assert_eq!((found.speed, found.range), (120.0, [108.0, 132.0]));
+        let found = Resonance::new(2.0, [4.0; 2], 0.1);
+        assert_eq!((found.speeds, found.range), ([120.0; 2], [108.0, 132.0]));
         let at = |speeds| near_resonances(&[found], [[0.0, 1.0], speeds]);
         assert_eq!(at([100.0, 108.0]), Standing::Clear);
         assert_eq!(at([107.0, 109.0]), Standing::Near);

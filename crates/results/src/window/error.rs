@@ -46,6 +46,9 @@ pub enum WindowError {
     /// Places that hold a string which does not bend.
     #[error("the string does not bend: the file has no [wall]")]
     NotBent,
+    /// Places that hold a string which lies on the low side of its hole.
+    #[error("the string lies on the low side of its hole: its contacts hold it")]
+    Lies,
     /// Nothing that holds the string.
     #[error("what holds the string sideways? The file has no [[sites]]")]
     NotHeld,

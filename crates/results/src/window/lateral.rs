@@ -4,10 +4,13 @@
 use linear::Sites;
 use linear::natural_frequencies::held_lateral_frequencies_below;
 
-use super::analytic::{Resonance, above_speed, near_resonances};
+use super::analytic::{Resonance, above_speed, resonance_limit};
 use super::asked::WindowAsked;
 use super::chart::{Drawn, Source};
 use super::error::WindowError;
+use super::hit::whirl_when_hit;
+use super::standing::Standing;
+use super::swings::Swings;
 use campaign::plan::{LateralSettings, Sweep, WallSettings};
 use campaign::quantities::{Axis, LENGTH, WallQuantity};
 use campaign::words::short;
@@ -23,33 +26,55 @@ pub fn limits(
     ranges: [[f64; 2]; 2],
     asked: &WindowAsked,
 ) -> Result<Vec<Source<'static>>, WindowError> {
-    let Some(lateral) = sweep.setting.hanging_sideways() else {
-        if asked.held_at.is_some() {
-            return Err(WindowError::NotBent);
-        }
-        return Ok(Vec::new());
+    let Some(lateral) = &sweep.setting.lateral else {
+        return match asked.held_at {
+            Some(_) => Err(WindowError::NotBent),
+            None => Ok(Vec::new()),
+        };
     };
-    let mut found = resonances(sweep, lateral, ranges[1], asked)?;
-    if sweep.setting.whirling_with_string().is_some() {
-        found.push(whirl(sweep, lateral, ranges, asked.margin)?);
-    }
+    let mut found = match (&sweep.setting.lying, &asked.held_at) {
+        (Some(_), Some(_)) => return Err(WindowError::Lies),
+        (Some(_), None) => Swings::new(sweep, ranges, asked).limits(),
+        (None, _) => resonances(sweep, lateral, ranges[1], asked)?,
+    };
+    found.extend(whirl(sweep, lateral, ranges, asked.margin)?);
     Ok(found)
 }
 
-/// What may shake the string sideways or along itself, and has no limit on the chart.
-pub fn not_examined(sweep: &Sweep, asked: &WindowAsked) -> Vec<String> {
+/// What may shake the string sideways or along itself, and has no limit on the chart, within ranges of weight
+/// on bit (kN) and surface speed (rpm).
+pub fn not_examined(sweep: &Sweep, ranges: [[f64; 2]; 2], asked: &WindowAsked) -> Vec<String> {
     let axial = "vibration along the string, and a bit that bounces: they are not modelled";
     let axial = sweep.setting.cutting.is_none().then(|| axial.to_owned());
     let sideways = match &sweep.setting.lateral {
-        None => Some("vibration sideways and whirl: the file has no [wall]".to_owned()),
-        Some(lateral) => above_the_uppermost(sweep, lateral, asked),
+        None => vec!["vibration sideways and whirl: the file has no [wall]".to_owned()],
+        Some(_) if sweep.setting.lying.is_some() => {
+            Swings::new(sweep, ranges, asked).not_examined()
+        }
+        Some(lateral) => above_the_uppermost(sweep, lateral, asked)
+            .into_iter()
+            .collect(),
     };
-    let setting = &sweep.setting;
-    let of_bit = setting.hanging_sideways().is_some() && setting.whirling_with_string().is_none();
-    let whirl = of_bit.then(|| {
-        "from which speed on whirl lasts: the bit, which is at a wall, turns faster than the string".to_owned()
-    });
+    let whirl = (sweep.setting.lateral.as_ref()).and_then(|lateral| no_bound(sweep, lateral));
+    let whirl =
+        whirl.map(|reason| format!("from which speed on whirl lasts, once triggered: {reason}"));
     sideways.into_iter().chain(whirl).chain(axial).collect()
+}
+
+/// Why no bound says where whirl cannot last; none where one does.
+fn no_bound(sweep: &Sweep, lateral: &LateralSettings) -> Option<String> {
+    if sweep.setting.lying.is_some() {
+        return Some(format!(
+            "no bound is known for a string on the low side of its hole; {}",
+            whirl_when_hit()
+        ));
+    }
+    if sweep.setting.whirling_with_string().is_none() {
+        let reason = "the bit, which is at a wall, turns faster than the string";
+        return Some(reason.to_owned());
+    }
+    let is_found = lateral.finding.is_some();
+    is_found.then(|| "the sites that cases find differ from case to case".to_owned())
 }
 
 /// A part is wider than pipe if it is this much wider than the body of the uppermost section.
@@ -105,14 +130,26 @@ fn held_places(sweep: &Sweep, lateral: &LateralSettings, asked: &WindowAsked) ->
     given.unwrap_or_else(|| lateral.held_places(&sweep.setting.sites))
 }
 
-/// The speed from which on backward whirl can last at a site, rolling or sliding.
+const WHIRL: &str = "backward whirl, if triggered, sustains itself";
+
+/// The speed from which on backward whirl can last at a site, rolling or sliding; without a bound it may at
+/// every speed, but on walls without friction, which drive none.
 fn whirl(
     sweep: &Sweep,
     lateral: &LateralSettings,
     [weights, speeds]: [[f64; 2]; 2],
     margin: f64,
-) -> Result<Source<'static>, WindowError> {
+) -> Result<Option<Source<'static>>, WindowError> {
     let frictions = friction(sweep, lateral, margin);
+    if no_bound(sweep, lateral).is_some() {
+        return Ok((frictions[1] > 0.0).then(|| Source {
+            name: WHIRL.to_owned(),
+            description: "no bound excludes it anywhere".to_owned(),
+            edges: Default::default(),
+            standing: Box::new(|_| Standing::Possible),
+            drawn: Drawn::Lines(Vec::new()),
+        }));
+    }
     let [latest, soonest] = whirl_from(&sweep.setting, lateral, speeds, frictions)?;
     let [least, most] = frictions.map(short);
     let extent = match soonest {
@@ -138,13 +175,13 @@ fn whirl(
         .chain(latest)
         .filter(|from| *from > speeds[0]);
     let soonest_or_never = soonest.unwrap_or(f64::INFINITY);
-    Ok(Source {
-        name: "backward whirl, if triggered, sustains itself".to_owned(),
+    Ok(Some(Source {
+        name: WHIRL.to_owned(),
         description: format!("{extent}; balance of forces at one site alone"),
         edges: [Vec::new(), soonest.into_iter().collect()],
         standing: Box::new(move |ends| above_speed(soonest_or_never, ends)),
         drawn: Drawn::Lines(lines.map(line).collect()),
-    })
+    }))
 }
 
 /// The least and the greatest coefficient of friction of the site that has most: the ends of its
@@ -193,31 +230,9 @@ fn resonances(
     let of_order = |&order: &f64| {
         let all = frequencies
             .iter()
-            .map(|omega| Resonance::of(order, omega / std::f64::consts::TAU, margin));
-        let is_on_map = |it: &Resonance| it.range[1] > speeds[0] && it.range[0] < speeds[1];
-        let all: Vec<Resonance> = all.filter(is_on_map).collect();
-        let critical: Vec<String> = all.iter().map(|it| short(it.speed)).collect();
-        let critical = match &critical[..] {
-            [] => "none on the map".to_owned(),
-            critical => format!("{} rpm", critical.join(", ")),
-        };
-        let ends = all.iter().flat_map(|it| it.range);
-        Source {
-            name: format!("lateral resonance {}×", short(order)),
-            description: format!("{critical}, ± {} %; {held}", short(100.0 * margin)),
-            edges: [Vec::new(), ends.collect()],
-            drawn: Drawn::Bands(
-                (all.iter())
-                    .map(|it| {
-                        (
-                            it.range,
-                            format!("{}×: {} rpm", short(order), short(it.speed)),
-                        )
-                    })
-                    .collect(),
-            ),
-            standing: Box::new(move |ends| near_resonances(&all, ends)),
-        }
+            .map(|omega| Resonance::new(order, [omega / std::f64::consts::TAU; 2], margin));
+        let all = all.filter(|it| it.range[1] > speeds[0] && it.range[0] < speeds[1]);
+        resonance_limit("lateral resonance", order, (all.collect(), margin), &held)
     };
     Ok(asked.orders.iter().map(of_order).collect())
 }

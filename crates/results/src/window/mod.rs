@@ -4,7 +4,7 @@
 //! lattice or in ranges (`simulated`), or by an analytic curve (`analytic`). A `chart` puts the
 //! limits over one another; `regions` are where all of them are clear, and `best` is the point
 //! in them that a stated rule prefers; of a bit that cuts by its `rates` of penetration. An `operating` window is all that of a sweep and results
-//! folders of its string (`of_folders`, `lateral`, `motor`).
+//! folders of its string (`of_folders`, `lateral`, `motor`, `swings`).
 //!
 //! Above 80 rpm and below 60 kN, each limit uncertain by 5:
 //!
@@ -40,6 +40,7 @@ mod best;
 mod by_axis;
 mod chart;
 mod error;
+mod hit;
 mod lateral;
 mod motor;
 mod of_folders;
@@ -48,12 +49,14 @@ mod rates;
 mod regions;
 mod simulated;
 mod standing;
+mod swings;
 
 pub use asked::WindowAsked;
 pub use best::{Best, Room};
 pub use by_axis::by_axis;
 pub use chart::{Chart, Drawn, Limit, WINDOW_COLUMNS};
 pub use error::WindowError;
+pub use hit::whirl_when_hit;
 pub use operating::OperatingWindow;
 pub use regions::Region;
 pub use simulated::AXES;

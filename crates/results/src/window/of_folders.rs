@@ -9,7 +9,7 @@ use super::analytic::{below_estimate, below_limit};
 use super::asked::WindowAsked;
 use super::chart::{Drawn, Source};
 use super::error::WindowError;
-use super::simulated::{AXES, Simulated, simulated};
+use super::simulated::{AXES, Simulated, Vibrates, simulated};
 use crate::folder::{Manifest, ResultTables};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
@@ -31,8 +31,20 @@ pub fn limits(
     let mut ranges = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
     for (folder, tables) in all {
         let manifest = &tables.manifest;
-        for motion in manifest.tally.motions() {
-            let found = simulated(tables, motion, asked)
+        let lies = sweep.setting.lying.is_some();
+        let with_snaking = |motion: Motion| match motion {
+            Motion::Lateral if lies => &[false, true][..],
+            _ => &[false],
+        };
+        let motions = manifest.tally.motions().into_iter();
+        let all_of =
+            motions.flat_map(|motion| with_snaking(motion).iter().map(move |it| (motion, *it)));
+        for (motion, snaking_counts) in all_of {
+            let vibrates = Vibrates {
+                chatter_is_safe: asked.accept_chatter,
+                snaking_counts,
+            };
+            let found = simulated(tables, motion, vibrates, asked)
                 .with_context(|| folder.display().to_string())
                 .map_err(WindowError::Results)?;
             for (range, edges) in ranges.iter_mut().zip(found.edges()) {
@@ -40,7 +52,13 @@ pub fn limits(
                 *range = [range[0].max(first), range[1].min(last)];
             }
             let is_alone = all.len() == 1;
-            sources.push(of_cases(found, manifest, motion, is_alone, asked));
+            sources.push(of_cases(
+                found,
+                manifest,
+                (motion, vibrates),
+                is_alone,
+                asked,
+            ));
         }
         curves.extend(curves_of(
             &tables.boundary().map_err(WindowError::Results)?,
@@ -62,13 +80,14 @@ pub fn limits(
 fn of_cases(
     found: Simulated,
     manifest: &Manifest,
-    motion: Motion,
+    (motion, vibrates): (Motion, Vibrates),
     is_alone: bool,
     asked: &WindowAsked,
 ) -> Source<'static> {
     let regime = match motion {
-        Motion::Axial if asked.accept_chatter => "bit bounce",
+        Motion::Axial if vibrates.chatter_is_safe => "bit bounce",
         Motion::Torsion if manifest.sweep.motor.is_some() => "stick-slip or a stalled motor",
+        Motion::Lateral if vibrates.snaking_counts => "snaking or sustained whirl",
         _ => motion.regimes()[0],
     };
     // Names without commas, for they stand in a table.
@@ -78,7 +97,7 @@ fn of_cases(
     };
     Source {
         name: format!("{regime} (simulated{of})"),
-        description: describe(&found, manifest, asked.risk),
+        description: describe(&found, manifest, vibrates, asked.risk),
         edges: found.edges(),
         standing: Box::new(move |ends| found.standing(ends)),
         drawn: Drawn::Edge,
@@ -86,7 +105,7 @@ fn of_cases(
 }
 
 /// How many cases, and what is between right and wrong.
-fn describe(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
+fn describe(found: &Simulated, manifest: &Manifest, vibrates: Vibrates, risk: f64) -> String {
     let methods = manifest.method_names().join(", ");
     let cases = manifest.tally.rows / manifest.methods.len().max(1);
     let cases = counted(cases, "case");
@@ -99,6 +118,10 @@ fn describe(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
              interval",
             short(100.0 * risk)
         ),
+        (_, Some(DesignKind::Trace)) if vibrates.snaking_counts => {
+            "snaking is not traced; margin: between cases of the trace that differ, and where methods do"
+                .to_owned()
+        }
         (_, Some(DesignKind::Trace)) => {
             "traced; margin: a step of the trace, where methods differ and where it is ragged"
                 .to_owned()

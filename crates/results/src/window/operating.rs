@@ -54,7 +54,7 @@ impl OperatingWindow {
                 Some(rates) => chart.with_rates(|place| rates.at(place)),
                 None => chart,
             },
-            not_examined: lateral::not_examined(sweep, asked),
+            not_examined: lateral::not_examined(sweep, ranges, asked),
         })
     }
 }

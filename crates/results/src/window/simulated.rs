@@ -17,9 +17,11 @@ pub const AXES: [Axis; 2] = [Axis::WeightOnBitKn, Axis::SurfaceSpeedRpm];
 
 /// Which labels are vibration.
 #[derive(Debug, Clone, Copy, Default)]
-struct Vibrates {
+pub struct Vibrates {
     /// Whether chatter of a bit that stays in its rock does not count.
-    chatter_is_safe: bool,
+    pub chatter_is_safe: bool,
+    /// Whether snaking counts as whirl does.
+    pub snaking_counts: bool,
 }
 
 impl Vibrates {
@@ -27,6 +29,7 @@ impl Vibrates {
     fn of(self, label: Label) -> Option<bool> {
         match label {
             Label::Axial(AxialRegime::AxialChatter) if self.chatter_is_safe => Some(false),
+            label if self.snaking_counts && label.is_snaking() => Some(true),
             label => label.is_sustained(),
         }
     }
@@ -63,6 +66,14 @@ struct Found {
 }
 
 impl Found {
+    /// No case.
+    const MISSING: Self = Self {
+        with: false,
+        without: false,
+        undetermined: true,
+        uncertain: false,
+    };
+
     /// What the cases of both are.
     fn and(self, other: Self) -> Self {
         Self {
@@ -88,10 +99,12 @@ pub struct Cells {
 ///
 /// # Errors
 /// Where the cases do not say that over both axes, or the tables cannot be read.
-pub fn simulated(tables: &ResultTables, motion: Motion, asked: &WindowAsked) -> Result<Simulated> {
-    let vibrates = Vibrates {
-        chatter_is_safe: asked.accept_chatter,
-    };
+pub fn simulated(
+    tables: &ResultTables,
+    motion: Motion,
+    vibrates: Vibrates,
+    asked: &WindowAsked,
+) -> Result<Simulated> {
     let manifest = &tables.manifest;
     if let Some(design) = manifest.traced_design() {
         let found = TracedLimits::read(&labels(tables), &design, &manifest.method_names())?;
@@ -102,7 +115,10 @@ pub fn simulated(tables: &ResultTables, motion: Motion, asked: &WindowAsked) -> 
             );
         }
         if let Some(limits) = found {
-            return Ok(Simulated::At(traced(&limits, manifest, motion)));
+            return Ok(Simulated::At(match vibrates.snaking_counts {
+                true => between_traced(&limits, tables, motion, vibrates)?,
+                false => traced(&limits, manifest, motion),
+            }));
         }
     }
     if manifest.is_trace() {
@@ -125,13 +141,58 @@ pub fn labels(tables: &ResultTables) -> std::path::PathBuf {
     tables.folder.join("labels.csv")
 }
 
+/// The values of a trace along both axes, and which axis of its design is that of the weight.
+fn traced_values(limits: &TracedLimits, manifest: &Manifest) -> ([Vec<f64>; 2], usize) {
+    let weight = usize::from(manifest.axes[0] != AXES[0]);
+    let of_design = limits.values();
+    (
+        [weight, 1 - weight].map(|axis| of_design[axis].to_vec()),
+        weight,
+    )
+}
+
+/// The points of a trace by a vibration that it does not follow: one that was not simulated is as the
+/// nearest ones that were, before and after it along either axis.
+fn between_traced(
+    limits: &TracedLimits,
+    tables: &ResultTables,
+    motion: Motion,
+    vibrates: Vibrates,
+) -> Result<Points> {
+    let (values, _) = traced_values(limits, &tables.manifest);
+    let [columns, rows] = values.each_ref().map(Vec::len);
+    let mut simulated: Vec<Option<Found>> = vec![None; columns * rows];
+    for (at, own) in found_by_cases(tables, motion, vibrates)? {
+        let [column, row] = place_in(&values, at);
+        if column < columns && row < rows && [values[0][column], values[1][row]] == at {
+            let all = &mut simulated[column * rows + row];
+            *all = Some(all.unwrap_or_default().and(own));
+        }
+    }
+    let at = |column: usize, row: usize| simulated[column * rows + row];
+    let around = |column: usize, row: usize| {
+        let nearest = [
+            (0..column).rev().find_map(|it| at(it, row)),
+            (column..columns).find_map(|it| at(it, row)),
+            (0..row).rev().find_map(|it| at(column, it)),
+            (row..rows).find_map(|it| at(column, it)),
+        ];
+        let nearest = nearest.into_iter().flatten();
+        nearest.reduce(Found::and).unwrap_or(Found::MISSING)
+    };
+    let places = (0..columns).flat_map(|column| (0..rows).map(move |row| (column, row)));
+    let found = places.map(|(column, row)| at(column, row).unwrap_or_else(|| around(column, row)));
+    Ok(Points {
+        found: found.collect(),
+        values,
+        ragged: Vec::new(),
+    })
+}
+
 /// The points of a trace, those that were not simulated as those around them.
 fn traced(limits: &TracedLimits, manifest: &Manifest, motion: Motion) -> Points {
     let methods = manifest.methods.len();
-    // Which axis of the design is that of the weight.
-    let weight = usize::from(manifest.axes[0] != AXES[0]);
-    let of_design = limits.values();
-    let values = [weight, 1 - weight].map(|axis| of_design[axis].to_vec());
+    let (values, weight) = traced_values(limits, manifest);
     let mut found = Vec::new();
     for column in 0..values[0].len() {
         for row in 0..values[1].len() {
@@ -161,8 +222,12 @@ fn traced(limits: &TracedLimits, manifest: &Manifest, motion: Motion) -> Points 
     }
 }
 
-/// Cases that are at every combination of some weights and speeds.
-fn points(tables: &ResultTables, motion: Motion, vibrates: Vibrates) -> Result<Points> {
+/// What each case is, by all methods, with its weight and speed.
+fn found_by_cases(
+    tables: &ResultTables,
+    motion: Motion,
+    vibrates: Vibrates,
+) -> Result<Vec<([f64; 2], Found)>> {
     let mut cases = Vec::new();
     for case in read_cases(&labels(tables), &AXES)? {
         let case = case?;
@@ -180,6 +245,17 @@ fn points(tables: &ResultTables, motion: Motion, vibrates: Vibrates) -> Result<P
         }
         cases.push(([case.values[0], case.values[1]], at));
     }
+    Ok(cases)
+}
+
+/// Where a weight and a speed are among values of both.
+fn place_in(values: &[Vec<f64>; 2], at: [f64; 2]) -> [usize; 2] {
+    [0, 1].map(|axis| values[axis].partition_point(|value| *value < at[axis]))
+}
+
+/// Cases that are at every combination of some weights and speeds.
+fn points(tables: &ResultTables, motion: Motion, vibrates: Vibrates) -> Result<Points> {
+    let cases = found_by_cases(tables, motion, vibrates)?;
     let values = [0, 1].map(|axis| {
         let mut values: Vec<f64> = cases.iter().map(|(at, _)| at[axis]).collect();
         values.sort_by(f64::total_cmp);
@@ -197,18 +273,15 @@ fn points(tables: &ResultTables, motion: Motion, vibrates: Vibrates) -> Result<P
     }
     let mut found: Vec<Option<Found>> = vec![None; places];
     for (at, own) in cases {
-        let [column, row] =
-            [0, 1].map(|axis| values[axis].partition_point(|value| *value < at[axis]));
+        let [column, row] = place_in(&values, at);
         let all = &mut found[column * values[1].len() + row];
         *all = Some(all.unwrap_or_default().and(own));
     }
-    let missing = Found {
-        undetermined: true,
-        ..Found::default()
-    };
     Ok(Points {
         values,
-        found: found.into_iter().map(|it| it.unwrap_or(missing)).collect(),
+        found: (found.into_iter())
+            .map(|it| it.unwrap_or(Found::MISSING))
+            .collect(),
         ragged: Vec::new(),
     })
 }
@@ -322,7 +395,13 @@ mod tests {
 
     #[test]
     fn chatter_is_vibration_unless_it_is_accepted() {
-        let of = |chatter_is_safe, regime| Vibrates { chatter_is_safe }.of(Label::Axial(regime));
+        let of = |chatter_is_safe, regime| {
+            let vibrates = Vibrates {
+                chatter_is_safe,
+                ..Vibrates::default()
+            };
+            vibrates.of(Label::Axial(regime))
+        };
         use AxialRegime::{AxialChatter, BitBounce, Steady};
         let all = [Steady, AxialChatter, BitBounce];
         assert_eq!(
@@ -336,7 +415,8 @@ mod tests {
         let stick_slip = Label::Torsion(TorsionRegime::StickSlip);
         assert_eq!(
             Vibrates {
-                chatter_is_safe: true
+                chatter_is_safe: true,
+                ..Vibrates::default()
             }
             .of(stick_slip),
             Some(true)

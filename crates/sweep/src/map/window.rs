@@ -103,7 +103,7 @@ fn keys(chart: &Chart) -> Vec<(CellFill, String)> {
         (Standing::Clear, "safe: beyond the margin of every limit"),
         (
             Standing::Possible,
-            "safe unless whirl is triggered, which can last here",
+            "safe unless whirl is triggered, which may last here",
         ),
         (Standing::Near, "within the margin of a limit"),
         (Standing::Against, "on the wrong side of a limit"),

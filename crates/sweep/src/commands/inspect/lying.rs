@@ -5,7 +5,8 @@ use serde::Serialize;
 use super::rows::row;
 use campaign::quantities::{FORCE, LENGTH, STRESS, TORQUE, Unit, Units};
 use campaign::static_string::{AtRest, Greatest};
-use campaign::words::counted;
+use campaign::words::{counted, wrapped};
+use results::window::whirl_when_hit;
 
 /// Of more contacts that touch only this number, those next to the bit, have a line each.
 const MOST_LINES: usize = 20;
@@ -15,7 +16,13 @@ const MOST_LINES: usize = 20;
 #[serde(untagged)]
 pub enum InspectedLying {
     /// It lies there.
-    AtRest(Box<AtRest>),
+    AtRest {
+        /// How.
+        #[serde(flatten)]
+        at_rest: Box<AtRest>,
+        /// Whether whirl lasts, once something triggers it.
+        whirl_if_triggered: String,
+    },
     /// It does not, or that is not found.
     Refused {
         /// Why.
@@ -24,11 +31,25 @@ pub enum InspectedLying {
 }
 
 impl InspectedLying {
+    /// The string at rest, with what is known of its whirl.
+    pub fn at_rest(lying: AtRest) -> Self {
+        Self::AtRest {
+            at_rest: Box::new(lying),
+            whirl_if_triggered: format!("no bound excludes it; {}", whirl_when_hit()),
+        }
+    }
+
     /// In words and numbers.
     pub fn words(&self, units: Units) -> String {
         let title = "\nstring at rest in its hole\n".to_owned();
         match self {
-            Self::AtRest(lying) => title + &in_words(lying, units),
+            Self::AtRest {
+                at_rest,
+                whirl_if_triggered,
+            } => {
+                let whirl = format!("whirl, if triggered: {whirl_if_triggered}");
+                title + &in_words(at_rest, units) + &wrapped(&whirl, 2, 4)
+            }
             Self::Refused { error } => title + &row(2, "is not found", error),
         }
     }

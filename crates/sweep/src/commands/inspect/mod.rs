@@ -116,7 +116,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
             }
             .write(&folder, &drawing)?;
             pictures.push(shown(static_string::NAME));
-            Some(InspectedLying::AtRest(Box::new(string.numbers())))
+            Some(InspectedLying::at_rest(string.numbers()))
         }
     };
     if lying.is_none() && arguments.bit.is_some() {

@@ -84,9 +84,10 @@ fn in_words(error: WindowError) -> anyhow::Error {
         WindowError::Boundary(error) => return error.into(),
         WindowError::String(error) => return error.into(),
         WindowError::Frequencies(error) => return error.into(),
-        WindowError::NotBent | WindowError::NotHeld | WindowError::HeldAt(_) => {
-            format!("--held-at: {error}")
-        }
+        WindowError::NotBent
+        | WindowError::Lies
+        | WindowError::NotHeld
+        | WindowError::HeldAt(_) => format!("--held-at: {error}"),
         _ => error.to_string(),
     };
     UsageError(message).into()
