@@ -134,7 +134,8 @@ pub struct FileContent {
     /// Parameters of the methods.
     #[serde(default)]
     pub method: MethodTables,
-    /// Steps a second. By rule, as many as the waves in the string need. A frequency at which a
+    /// Steps a second. By rule, as many as the waves in the string need and, by each method, whirl at
+    /// the walls. A frequency at which a
     /// wave takes fewer than two steps from the surface to the bit is refused where a torque
     /// acts there.
     #[schemars(extend("minimum" = 1.0, "maximum" = 1e6))]
