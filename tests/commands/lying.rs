@@ -280,7 +280,7 @@ fn a_run_says_how_a_string_lies_and_swings() {
         assert!(number("greatest_angle_deg") > climb);
         let within = ["rms", "peak"].map(|of| number(&format!("acceleration_band_{of}_g")));
         assert!(0.0 < within[0] && within[0] <= within[1]);
-        assert!(within[1] <= number("acceleration_step_peak_g"));
+        assert!(within[1] < 1.05 * number("acceleration_step_peak_g"));
         assert_eq!(number("acceleration_band_hz"), 100.0);
         assert_eq!(number("lateral_shocks_per_s"), 0.0);
     }

@@ -2,6 +2,7 @@
 //! and resolved to SI.
 
 mod axial_force;
+mod band_doubts;
 mod bit;
 mod bit_doubts;
 mod candidates;

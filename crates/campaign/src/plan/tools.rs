@@ -1,10 +1,8 @@
 //! `[[tools]]`: where accelerations are measured instead of at the sites.
 
 use linear::{Drillstring, Sites};
-use sim::{USUAL_BAND, highest_band};
+use sim::USUAL_BAND;
 
-use super::lateral::LateralSettings;
-use super::sweep::Sweep;
 use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 
 /// More tools than this are not measured: their responses would take as much memory as those that cases
@@ -15,7 +13,7 @@ const MOST_TOOLS: usize = 40;
 ///
 /// # Errors
 /// Where nothing moves but the rotation, a tool is not on the string, two are at one place, there are too
-/// many, one is where the string is taken to be at rest, or a band is none.
+/// many, one is where the string is taken to be at rest, or a band is out of its range.
 pub fn resolve(
     source: &Source,
     content: &FileContent,
@@ -57,30 +55,4 @@ pub fn resolve(
     }
     tools.sort_by(|(one, _), (other, _)| other.total_cmp(one));
     Ok(tools.into_iter().unzip())
-}
-
-impl Sweep {
-    /// Bands that the sampling frequency does not hold.
-    pub(super) fn doubts_about_bands(&self) -> Vec<String> {
-        let setting = &self.setting;
-        let is_shaken = |lateral: &LateralSettings| lateral.shocks.is_some();
-        let is_measured =
-            setting.cutting.is_some() || setting.lateral.as_ref().is_some_and(is_shaken);
-        let of_sites = [USUAL_BAND];
-        let bands = match setting.tools.as_slice() {
-            [] if is_measured => of_sites.as_slice(),
-            _ => setting.tool_bands.as_slice(),
-        };
-        let highest = highest_band(setting.sampling_frequency);
-        let widest = bands.iter().copied().fold(0.0, f64::max);
-        let is_held = widest <= highest;
-        let doubt = (!is_held).then(|| {
-            let wanted = widest / highest * setting.sampling_frequency;
-            format!(
-                "accelerations are measured within {highest:.4} Hz, a quarter of the sampling frequency, \
-                 and not within {widest:.4} Hz: `sampling_frequency_hz` of {wanted:.4} or more holds that"
-            )
-        });
-        doubt.into_iter().collect()
-    }
 }

@@ -81,6 +81,8 @@ fn word(kind: Kind) -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use campaign::records::RENAMED;
+
     use super::*;
 
     fn read(table: &str) -> Result<(TypedColumns, Vec<TypedRow>)> {
@@ -92,9 +94,12 @@ mod tests {
 
     #[test]
     fn every_column_has_its_kind_and_its_present_name() {
-        let table = "case,method,friction,torsion,sticks,period_s,misfit_a_rpm,torsion_certified,\
-             foretold,other,acceleration_peak_g\n7,held,0.5,smooth,,1e-3,2,true,smooth,x,3\n";
-        let (columns, rows) = read(table).expect("a table");
+        let [predicted, peak] = [RENAMED[0], RENAMED[1]].map(|(old, _)| old);
+        let table = format!(
+            "case,method,friction,torsion,sticks,period_s,misfit_a_rpm,torsion_certified,\
+             {predicted},other,{peak}\n7,held,0.5,smooth,,1e-3,2,true,smooth,x,3\n"
+        );
+        let (columns, rows) = read(&table).expect("a table");
         let kinds: Vec<Kind> = columns.iter().map(|(_, kind)| *kind).collect();
         use Kind::{Count, Flag, Number, Text};
         let expected = [

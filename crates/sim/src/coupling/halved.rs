@@ -23,7 +23,7 @@ const TURNS_BETWEEN: usize = 20;
 /// Steps of an attempt.
 const MOST_STEPS: usize = 30;
 
-/// Goes on from the loads so far. Gives whether the ports settled.
+/// Continues from the loads so far. Gives whether the ports settled.
 #[cold]
 pub(super) fn settle<E>(
     coupling: &mut Coupling,
