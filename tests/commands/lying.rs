@@ -376,6 +376,22 @@ fn a_tool_feels_what_a_site_in_its_place_does() {
     }
 }
 
+/// A band that is wider than the sampling frequency holds, and a colour by the name of an earlier version.
+#[test]
+fn a_band_that_steps_do_not_hold_and_an_earlier_name_are_said() {
+    let tools = "[[tools]]\ndistance_from_bit_m = 0\nband_hz = 300\n[map]\ncolour = \"acceleration_peak_g\"\n";
+    let place = Workplace::with_small(&(LYING.to_owned() + DESIGN + tools));
+    let answer = place.answer(&["run", "small.toml", "--out", "out"]);
+    assert_eq!(answer.code, 0, "{}", answer.errors);
+    for words in [
+        "accelerations are measured within 100.0 Hz, a quarter of the sampling frequency, and not within 300.0 Hz",
+        "`sampling_frequency_hz` of 1200",
+        "the column `acceleration_peak_g` is called `acceleration_step_peak_g` now",
+    ] {
+        assert!(answer.errors.contains(words), "{}", answer.errors);
+    }
+}
+
 /// What begins in steady sliding stays there; what only turns climbs first.
 #[test]
 fn a_string_that_lies_begins_at_rest_turning_or_sliding() {

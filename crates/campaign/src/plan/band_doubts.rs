@@ -23,8 +23,8 @@ impl Sweep {
         let doubt = (!is_held).then(|| {
             let wanted = widest / highest * setting.sampling_frequency;
             format!(
-                "accelerations are measured within {highest:.4} Hz, a quarter of the sampling frequency, \
-                 and not within {widest:.4} Hz: `sampling_frequency_hz` of {wanted:.4} or more holds that"
+                "accelerations are measured within {highest:.1} Hz, a quarter of the sampling frequency, \
+                 and not within {widest:.1} Hz: `sampling_frequency_hz` of {wanted:.0} or more holds that"
             )
         });
         doubt.into_iter().collect()
