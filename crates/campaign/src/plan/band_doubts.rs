@@ -21,7 +21,7 @@ impl Sweep {
         let widest = bands.iter().copied().fold(0.0, f64::max);
         let is_held = widest <= highest;
         let doubt = (!is_held).then(|| {
-            let wanted = widest / highest * setting.sampling_frequency;
+            let wanted = (widest / highest * setting.sampling_frequency).ceil();
             format!(
                 "accelerations are measured within {highest:.1} Hz, a quarter of the sampling frequency, \
                  and not within {widest:.1} Hz: `sampling_frequency_hz` of {wanted:.0} or more holds that"
