@@ -152,7 +152,7 @@ fn traced_values(limits: &TracedLimits, manifest: &Manifest) -> ([Vec<f64>; 2], 
 }
 
 /// The points of a trace by a vibration that it does not follow: one that was not simulated is as the
-/// nearest ones that were, before and after it along either axis.
+/// nearest ones that were, before and after it along the speed, and then along the weight.
 fn between_traced(
     limits: &TracedLimits,
     tables: &ResultTables,
@@ -169,24 +169,37 @@ fn between_traced(
             *all = Some(all.unwrap_or_default().and(own));
         }
     }
-    let at = |column: usize, row: usize| simulated[column * rows + row];
-    let around = |column: usize, row: usize| {
-        let nearest = [
-            (0..column).rev().find_map(|it| at(it, row)),
-            (column..columns).find_map(|it| at(it, row)),
-            (0..row).rev().find_map(|it| at(column, it)),
-            (row..rows).find_map(|it| at(column, it)),
-        ];
-        let nearest = nearest.into_iter().flatten();
-        nearest.reduce(Found::and).unwrap_or(Found::MISSING)
-    };
-    let places = (0..columns).flat_map(|column| (0..rows).map(move |row| (column, row)));
-    let found = places.map(|(column, row)| at(column, row).unwrap_or_else(|| around(column, row)));
+    for column in simulated.chunks_mut(rows) {
+        fill(column);
+    }
+    for row in 0..rows {
+        let mut along: Vec<_> = simulated.iter().skip(row).step_by(rows).copied().collect();
+        fill(&mut along);
+        for (found, filled) in simulated.iter_mut().skip(row).step_by(rows).zip(along) {
+            *found = filled;
+        }
+    }
     Ok(Points {
-        found: found.collect(),
+        found: (simulated.into_iter())
+            .map(|found| found.unwrap_or(Found::MISSING))
+            .collect(),
         values,
         ragged: Vec::new(),
     })
+}
+
+/// What is not known along a line is as what is known next before and after it.
+fn fill(line: &mut [Option<Found>]) {
+    let known = line.to_vec();
+    for (place, found) in line
+        .iter_mut()
+        .enumerate()
+        .filter(|(_, found)| found.is_none())
+    {
+        let before = known[..place].iter().rev().flatten().next();
+        let after = known[place..].iter().flatten().next();
+        *found = before.into_iter().chain(after).copied().reduce(Found::and);
+    }
 }
 
 /// The points of a trace, those that were not simulated as those around them.
