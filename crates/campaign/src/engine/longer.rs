@@ -6,45 +6,14 @@
 
 use std::borrow::Cow;
 
+use linear::parallel;
+
 use super::case::Case;
 use super::memory::StringMemory;
-use super::systems::MethodSystem;
-use crate::plan::{Setting, Sweep};
+use super::systems::{MethodSystem, Recipe};
+use super::timing::{TIMES, is_by_rule};
+use crate::plan::Sweep;
 use crate::records::Record;
-use crate::sweep_file::AutoOr;
-
-/// Times as long as by rule, one after the other.
-pub(super) const TIMES: [f64; 2] = [3.0, 9.0];
-
-/// Bytes of a system for such a time, at most, with a case that is stepped against it. What takes
-/// more is not built, and the case is undetermined; so no other sweep takes much more memory.
-const MOST_BYTES: f64 = 256.0 * 1024.0 * 1024.0;
-
-/// Whether a label may be undetermined: the time is by rule, and that waits for motion to fade.
-fn is_by_rule(sweep: &Sweep, setting: &Setting) -> bool {
-    matches!(sweep.time, AutoOr::Auto) && setting.cutting.is_none()
-}
-
-/// Memory for each of [`TIMES`], of the systems by a method that are built where a case asks for
-/// them; none where they are not.
-pub(super) fn memory(
-    sweep: &Sweep,
-    setting: &Setting,
-    method: &linear::Method,
-    longest: f64,
-) -> [Option<StringMemory>; TIMES.len()] {
-    let finds_sites = (setting.lateral.as_ref()).is_some_and(|lateral| lateral.finding.is_some());
-    let may_fade = sweep.bit.is_some() || setting.friction.is_some() || setting.lying.is_some();
-    let follows = is_by_rule(sweep, setting) && may_fade && !finds_sites;
-    TIMES.map(|times| {
-        let memory = || StringMemory::at_sites(sweep, setting, method, times * longest);
-        let fits = |memory: &StringMemory| {
-            let bytes = memory.systems.kept + memory.case;
-            memory.too_long.is_none() && bytes > 0.0 && bytes <= MOST_BYTES
-        };
-        follows.then(memory).filter(fits)
-    })
-}
 
 /// The record of a case followed for longer, while what is known of it is that its motion fades;
 /// `answer` is how a system answers a case.
@@ -62,10 +31,10 @@ pub(super) fn followed(
         if !fades(&record) {
             return record;
         }
-        let Some(longer) = system.longer(sweep, place) else {
+        let Some(long) = longer(system, sweep, place) else {
             break;
         };
-        let next = answer(longer, &case.lasting(TIMES[place]));
+        let next = answer(long, &case.lasting(TIMES[place]));
         // As where the speed of its surface was recorded for no longer.
         if next.outcome.is_err() {
             break;
@@ -96,9 +65,22 @@ pub(super) fn reached<'a>(
         if lasts(&reached.1) {
             break;
         }
-        if let Some(longer) = system.longer(sweep, place) {
-            reached = (longer, Cow::Owned(case.lasting(times)));
+        if let Some(long) = longer(system, sweep, place) {
+            reached = (long, Cow::Owned(case.lasting(times)));
         }
     }
     reached
+}
+
+/// The system for cases of a sweep that are followed for longer, by a place in [`TIMES`]; none where
+/// that takes too much memory.
+fn longer<'a>(system: &'a MethodSystem, sweep: &Sweep, place: usize) -> Option<&'a MethodSystem> {
+    let built = system.longer[place].get_or_init(|| {
+        let (setting, method) = (&system.setting, system.method);
+        let longest = system.responses.longest_time;
+        StringMemory::longer(sweep, setting, &method, longest)[place]?;
+        let recipe = Recipe::of(sweep, setting, method, TIMES[place] * longest);
+        parallel::apart(|| recipe.build())?.ok().map(Box::new)
+    });
+    built.as_deref()
 }

@@ -9,11 +9,15 @@ use super::along::Along;
 use super::dry_run::ask;
 use super::finding::most_sites;
 use super::finer::finer_frequency;
-use super::longer;
 use super::system_plan::SystemPlan;
+use super::timing::{TIMES, is_by_rule};
 use super::tools;
 use super::whole_string::whole_string;
 use crate::plan::{Setting, Sweep};
+
+/// Bytes of a system for longer cases, at most, with a case that is stepped against it. What takes more
+/// is not built, and the case is undetermined; so no other sweep takes much more memory.
+const MOST_OF_LONGER: f64 = 256.0 * 1024.0 * 1024.0;
 
 /// Memory of one string by all methods, bytes: upper bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -50,8 +54,8 @@ impl StringMemory {
     /// By a method, with what is built where a case is followed for longer.
     fn of_followed(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
         let own = Self::of_method(sweep, setting, method, longest_time);
-        let longer = longer::memory(sweep, setting, method, longest_time);
-        let longer = longer.into_iter().zip(longer::TIMES);
+        let longer = Self::longer(sweep, setting, method, longest_time);
+        let longer = longer.into_iter().zip(TIMES);
         longer.fold(
             Self { times: 1.0, ..own },
             |all, (longer, times)| match longer {
@@ -66,6 +70,28 @@ impl StringMemory {
         )
     }
 
+    /// Memory for each of [`TIMES`], of the systems by a method that are built where a case asks for
+    /// them; none where they are not.
+    pub(super) fn longer(
+        sweep: &Sweep,
+        setting: &Setting,
+        method: &Method,
+        longest_time: f64,
+    ) -> [Option<Self>; TIMES.len()] {
+        let lateral = setting.lateral.as_ref();
+        let finds_sites = lateral.is_some_and(|lateral| lateral.finding.is_some());
+        let may_fade = sweep.bit.is_some() || setting.friction.is_some() || setting.lying.is_some();
+        let follows = is_by_rule(sweep, setting) && may_fade && !finds_sites;
+        TIMES.map(|times| {
+            let own = || Self::at_sites(sweep, setting, method, times * longest_time);
+            let fits = |own: &Self| {
+                let bytes = own.systems.kept + own.case;
+                own.too_long.is_none() && bytes > 0.0 && bytes <= MOST_OF_LONGER
+            };
+            follows.then(own).filter(fits)
+        })
+    }
+
     fn of_method(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
         let setting = &setting.by(method);
         let mut own = Self::at_sites(sweep, setting, method, longest_time);
@@ -78,12 +104,7 @@ impl StringMemory {
         own
     }
 
-    pub(super) fn at_sites(
-        sweep: &Sweep,
-        setting: &Setting,
-        method: &Method,
-        longest_time: f64,
-    ) -> Self {
+    fn at_sites(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
         let plan = SystemPlan {
             setting,
             method,

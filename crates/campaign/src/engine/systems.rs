@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use anyhow::Result;
 use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_response, largest_undershoot, stick_slip_speed_limit};
-use linear::{ChannelResponses, Method, PlaceQuantity, Responses, parallel};
+use linear::{ChannelResponses, Method, PlaceQuantity, Responses};
 use sim::{
     Label, LateralMeasures, Measures, Motion, Outcome, RatesAtPlaces, Scene, SimulationError,
     Simulator, Stopping, SurfaceTorque, TorsionRegime, Trajectory,
@@ -17,10 +17,10 @@ use super::case::Case;
 use super::case_error::CaseError;
 use super::front::{Front, WrongFront};
 use super::instability::{Instability, is_unstable};
-use super::longer;
 use super::run_options::RunOptions;
 use super::stress;
 use super::system_plan::SystemPlan;
+use super::timing::TIMES;
 use super::tools;
 use crate::plan::{Setting, Sweep};
 use crate::records::{ByStart, Failure, Record, Verdict, WallPush, strength, verdict};
@@ -65,8 +65,8 @@ pub struct MethodSystem {
     rates: Option<RatesAtPlaces>,
     /// The same by steps that are shorter, where labels are certified.
     finer: Option<Box<MethodSystem>>,
-    /// The same for longer times, where a case has asked for them ([`longer::TIMES`]).
-    longer: [OnceLock<Option<Box<MethodSystem>>>; longer::TIMES.len()],
+    /// The same for longer times, where a case has asked for them.
+    pub(super) longer: [OnceLock<Option<Box<MethodSystem>>>; TIMES.len()],
 }
 
 impl MethodSystem {
@@ -262,20 +262,6 @@ impl MethodSystem {
             measures.shocks = tools::measures(displacements, of, case, motion)?;
         }
         Ok(())
-    }
-
-    /// The same for cases of a sweep that are followed for longer, by a place in
-    /// [`longer::TIMES`]; none where that takes too much memory.
-    pub(super) fn longer(&self, sweep: &Sweep, place: usize) -> Option<&Self> {
-        let system = self.longer[place].get_or_init(|| {
-            let longest = self.responses.longest_time;
-            longer::memory(sweep, &self.setting, &self.method, longest)[place]?;
-            let longest = longer::TIMES[place] * longest;
-            let recipe = Recipe::of(sweep, &self.setting, self.method, longest);
-            let system = parallel::apart(|| recipe.build())?;
-            system.ok().map(Box::new)
-        });
-        system.as_deref()
     }
 
     /// What it was built from, as far as the string's bending and the surface's torque go.

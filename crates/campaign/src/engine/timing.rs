@@ -4,7 +4,16 @@ use linear::bending_decay::friction_if_carried;
 use linear::{Bending, Drillstring};
 use sim::{BitTorque, Cutting, Start, Timing, torsion_timing};
 
-use crate::plan::Setting;
+use crate::plan::{Setting, Sweep};
+use crate::sweep_file::AutoOr;
+
+/// Times as long as by rule, one after the other, for which a case is followed while its motion fades.
+pub(super) const TIMES: [f64; 2] = [3.0, 9.0];
+
+/// Whether the time of cases is by rule, and that waits for motion to fade.
+pub(super) fn is_by_rule(sweep: &Sweep, setting: &Setting) -> bool {
+    matches!(sweep.time, AutoOr::Auto) && setting.cutting.is_none()
+}
 
 /// A bit without torque has no regime to wait for: ten seconds as in the paper, the last two of which
 /// decide.
