@@ -225,7 +225,7 @@ pub fn swing_frequencies(sweep: &Sweep, values: &[(Axis, f64)], highest: f64) ->
     let climb = SteadyClimb::new(&setting, &conditions)?;
     let frequencies = (0..climb.modes.below(highest * highest))
         .filter_map(|number| climb.modes.frequency(number))
-        // Of a string that buckles the first are none.
+        // The first modes of a string that buckles do not swing.
         .filter(|frequency| *frequency > 0.0);
     Some(frequencies.collect())
 }
