@@ -16,6 +16,7 @@ mod one_slip;
 mod sensitivity;
 mod trace;
 mod walls;
+mod whirl_sampling;
 mod window;
 mod window_of_lying;
 

@@ -190,7 +190,8 @@ fn walls_go_together_with_a_motor() {
     done(&place, &["run", "small.toml", "--out", "grid"]);
     let said = done(&place, &["window", "small.toml", "grid"]);
     assert!(
-        said.contains("from which speed on whirl lasts") && !said.contains("if triggered"),
+        said.contains("from which speed on whirl lasts")
+            && said.contains("no bound excludes it anywhere"),
         "{said}"
     );
 }

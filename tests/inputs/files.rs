@@ -416,7 +416,7 @@ fn sheets_that_may_mean_two_things_are_refused_or_doubted() {
 #[test]
 fn tables_without_effect_are_noted_and_doubtful_bits_warned_of() {
     let (expected, _) = sheet(FROM_SURFACE);
-    let idle = "\n[mud]\ndensity_ppg = 10\n[well]\nsurvey = \"survey.csv\"\nhole_diameter_in = 14\n[design]\n";
+    let idle = "\n[mud]\ndensity_ppg = 10\n[well]\nsurvey = \"survey.csv\"\nhole_diameter_in = 12.25\n[design]\n";
     let sweep = BY_SHEET.replace("\n[design]\n", idle);
     let survey = b"MD (m),Inc (deg),Azi (deg)\n0,0,0\n2000,0,0\n";
     let answer = inspected(

@@ -5,7 +5,7 @@ use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
 use crate::refusals::line_of;
-use crate::support::{Answer, SMALL, Workplace, with, without_smeared_fronts};
+use crate::support::{Answer, SMALL, Workplace, with, without_coarse_sampling};
 
 fn start(place: &Workplace, arguments: &[&str]) -> Child {
     place
@@ -30,7 +30,7 @@ fn given(place: &Workplace, text: &str, arguments: &[&str]) -> Answer {
     Answer {
         code: output.status.code().expect("no signal ended it"),
         output: String::from_utf8(output.stdout).unwrap(),
-        errors: without_smeared_fronts(&String::from_utf8(output.stderr).unwrap()),
+        errors: without_coarse_sampling(&String::from_utf8(output.stderr).unwrap()),
     }
 }
 

@@ -23,11 +23,18 @@ pub fn with(text: &str, piece: &str, replacement: &str) -> String {
     text.replace(piece, replacement)
 }
 
-/// What was complained of, but for the fronts that the coarse sampling of the small sweep smears.
-pub fn without_smeared_fronts(errors: &str) -> String {
-    let what = "fronts are smeared by ";
+/// What was complained of, but for what the coarse sampling of the small sweep smears, damps or does not
+/// measure.
+pub fn without_coarse_sampling(errors: &str) -> String {
+    let coarse = [
+        "fronts are smeared by ",
+        "of the steps that a turn needs",
+        "accelerations are measured within",
+    ];
     let lines = errors.split_inclusive('\n');
-    lines.filter(|line| !line.contains(what)).collect()
+    lines
+        .filter(|line| !coarse.iter().any(|what| line.contains(what)))
+        .collect()
 }
 
 /// What a command answered.
@@ -77,7 +84,7 @@ impl Workplace {
     /// it is sampled coarsely.
     pub fn sweep(&self, arguments: &[&str]) -> Answer {
         let mut answer = self.answer(arguments);
-        answer.errors = without_smeared_fronts(&answer.errors);
+        answer.errors = without_coarse_sampling(&answer.errors);
         answer
     }
 

@@ -81,7 +81,7 @@ fn val_every_weight_has_its_own_string_and_one_that_buckles_is_reported() {
     let measures = |case: &str| {
         let row = labels.lines().find(|line| line.starts_with(case)).unwrap();
         row.rsplit(',')
-            .take(6)
+            .take(11)
             .map(str::to_owned)
             .collect::<Vec<_>>()
     };

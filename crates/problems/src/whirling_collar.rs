@@ -79,7 +79,7 @@ impl Collar {
                     turned[site] += (x * to_y - y * to_x).atan2(x * to_x + y * to_y);
                 }
             }
-            masses.go_on();
+            masses.advance();
         }
         let rates = touched.iter().zip(turned).filter_map(|(touched, turned)| {
             let whirls = 2 * touched > steps - from && turned < -2.0 * PI;
@@ -207,7 +207,7 @@ impl<'a> Masses<'a> {
     }
 
     /// Places at the end of the step.
-    fn go_on(&mut self) {
+    fn advance(&mut self) {
         for node in 0..self.place.len() - 1 {
             for axis in 0..2 {
                 self.place[node][axis] += STEP * self.velocity[node][axis];

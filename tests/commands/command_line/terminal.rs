@@ -5,7 +5,7 @@ use std::process::Stdio;
 
 use crate::command_line::check::with_reference;
 use crate::command_line::{run, succeeds, text};
-use crate::support::{SMALL, Workplace, with, without_smeared_fronts};
+use crate::support::{SMALL, Workplace, with, without_coarse_sampling};
 
 #[test]
 fn every_command_shows_an_example() {
@@ -77,7 +77,7 @@ fn a_reader_who_leaves_early_is_no_error() {
             Some(code),
             "{arguments:?}: {errors}"
         );
-        let errors = without_smeared_fronts(&errors);
+        let errors = without_coarse_sampling(&errors);
         assert_eq!(errors, "", "{arguments:?}");
     }
     assert!(place.path("results/small/inspect.png").exists());

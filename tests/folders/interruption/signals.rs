@@ -5,7 +5,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use crate::interruption::{finishes, logged, long, same_tables, short};
-use crate::support::{Workplace, without_smeared_fronts};
+use crate::support::{Workplace, without_coarse_sampling};
 
 pub const RUN: [&str; 6] = ["run", "small.toml", "--full", "--quiet", "--out", "stopped"];
 
@@ -102,7 +102,7 @@ fn asked_to_stop_a_run_keeps_what_is_done_and_says_how_to_continue() {
         let output = child.wait_with_output().unwrap();
         let errors = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(code), "{errors}");
-        let errors = without_smeared_fronts(&errors);
+        let errors = without_coarse_sampling(&errors);
         assert!(errors.starts_with("stopped: "), "{errors}");
         assert!(errors.contains("the same command continues"), "{errors}");
         let done = logged(&place, "stopped");

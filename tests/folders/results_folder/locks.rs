@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use crate::results_folder::{read, succeeds};
-use crate::support::{SMALL, Workplace, without_smeared_fronts};
+use crate::support::{SMALL, Workplace, without_coarse_sampling};
 
 /// A program that starts another whose locks all fail, made by the compiler that links Rust's
 /// programs.
@@ -70,7 +70,7 @@ fn a_file_system_without_locks_is_warned_of_and_the_run_continues() {
             let errors = sweep(arguments);
             let warning = format!("warning: the file system of {error} has no locks (");
             assert!(errors.starts_with(&warning), "{errors}");
-            let errors = without_smeared_fronts(&errors);
+            let errors = without_coarse_sampling(&errors);
             assert_eq!(errors.lines().count(), 1, "{errors}");
         }
         // What is only read needs none.

@@ -48,6 +48,7 @@ mod top_drive;
 mod wall;
 mod well_course;
 mod whirl;
+mod whirl_doubts;
 
 pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};

@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use linear::estimates::torsional_travel_time;
-use linear::{Drillstring, Sites};
+use linear::{Drillstring, Method, Sites};
 use sim::{MudMotor, SurfaceProfile};
 use statics::{LyingString, StaticsError};
 
@@ -271,6 +271,30 @@ impl Setting {
             setting.check_sampling(source, content.bit.is_some())?;
         }
         Ok(setting)
+    }
+
+    /// The sampling frequency of a method, Hz: that of all, or more where the file gives none and whirl needs it.
+    pub fn frequency_by(&self, method: &Method) -> f64 {
+        let rate = self.whirl_rate.filter(|_| self.steps_per_travel.is_some());
+        let needed = rate.map_or(0.0, |rate| {
+            (whirl::steps_of_turn(method.name()) * rate).min(whirl::MOST_HZ)
+        });
+        self.sampling_frequency.max(needed)
+    }
+
+    /// The setting as a method is sampled.
+    pub fn by(&self, method: &Method) -> Cow<'_, Self> {
+        let frequency = self.frequency_by(method);
+        match frequency > self.sampling_frequency {
+            true => Cow::Owned(self.sampled_at(frequency)),
+            false => Cow::Borrowed(self),
+        }
+    }
+
+    /// Steps in a turn of the fastest whirl to expect, as a method is sampled; `None` where there is none.
+    pub fn steps_of_whirl(&self, method: &Method) -> Option<f64> {
+        let rate = self.whirl_rate.filter(|rate| *rate > 0.0)?;
+        Some(self.frequency_by(method) / rate)
     }
 
     /// Whether Eq. 74 may say where the bit sticks: of one whose law gives its torque, and that turns

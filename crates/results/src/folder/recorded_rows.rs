@@ -10,7 +10,9 @@ use super::manifest::Manifest;
 use super::open::MANIFEST;
 use super::records::{RECORDS, read_records};
 use campaign::quantities::Axis;
-use campaign::records::{Certainty, Measure, Record, RecordRow, certainty, certified, to_rpm};
+use campaign::records::{
+    Certainty, Measure, Record, RecordRow, WallPush, certainty, certified, to_rpm,
+};
 
 /// What the rows of a folder are made of.
 pub(super) struct RecordedRows {
@@ -128,7 +130,7 @@ impl RecordedRows {
             certainty,
             found: (record.found.as_ref()).map(|found| [found.sites.len(), found.rounds]),
             motor_stalled: row.motor_stalled(),
-            wall_push: row.wall_push(),
+            wall_push: row.wall_push().map(WallPush::as_in_table),
             failed: outcome.is_err(),
         })
     }

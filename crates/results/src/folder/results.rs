@@ -12,7 +12,7 @@ use super::records::{RECORDS, RecordWriter};
 use super::tally::Tally;
 use crate::files::{AtomicFile, Checksum};
 use campaign::labels::LabelTable;
-use campaign::records::{Certainty, Record, RecordRow, to_turns};
+use campaign::records::{Certainty, Record, RecordRow, WallPush, to_turns};
 use sim::{Label, Outcome};
 
 /// Rows that all threads together format at once.
@@ -100,7 +100,7 @@ impl<'a> TableWriter<'a> {
         }
         let stalled = RecordRow::new(record, certainty).motor_stalled();
         (self.tally).add_motor(method, stalled, labels);
-        if let Some(push) = record.wall_push {
+        if let Some(push) = record.wall_push.map(WallPush::as_in_table) {
             (self.tally).add_push(method, push);
         }
         if let Some(found) = &record.found {

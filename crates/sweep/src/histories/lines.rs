@@ -127,10 +127,10 @@ fn vibration_line(sweep: &Sweep, simulation: &Simulation) -> String {
 
 fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {
     let units = sweep.content.units;
-    let mut answers = measures(&simulation.answer, simulation.site_from_bit_m, units);
-    answers.extend(simulation.wall_push.map(|push| push.sentence(units)));
+    let answers = measures(&simulation.answer, simulation.site_from_bit_m, units);
+    let push = simulation.wall_push.map(|push| push.sentence(units));
     let name = &simulation.name;
-    let mut text: String = (answers.iter())
+    let mut text: String = (answers.iter().chain(&push))
         .map(|answer| wrapped(&format!("{name}: {answer}"), 2, 4))
         .collect();
     let followed = &simulation.followed;
