@@ -87,7 +87,7 @@ fn what_a_given_frequency_damps_is_said_before_a_run_and_after_it() {
     );
     let found = methods(&place, "given.toml");
     assert!(found.iter().all(|method| method.1 == 800.0), "{found:?}");
-    let answer = answered(&place, &["run", "given.toml", "--quiet"]);
+    let answer = answered(&place, &["run", "given.toml"]);
     for words in [
         "of the steps that a turn needs held at 800 Hz has ",
         "finite-element at 800 Hz has ",

@@ -35,7 +35,6 @@ use std::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 use sim::{Penetration, Rock, Wall};
 
-use super::column::{to_kn, to_mm, to_mpa};
 use crate::quantities::{FORCE, LENGTH, STRESS, Units, WIDTH};
 
 /// Mean pressures by the strength of the rock: at first yield, and where all around yields.
@@ -85,9 +84,9 @@ impl WallPush {
     /// The push as it is read back from the columns of a table: counts of it are then those of merged tables.
     pub fn as_in_table(self) -> Self {
         Self {
-            depth: to_mm(self.depth) * 1e-3,
-            force: self.force.map(|force| to_kn(force) * 1e3),
-            pressure: self.pressure.map(|pressure| to_mpa(pressure) * 1e6),
+            depth: 1e-3 * (1e3 * self.depth),
+            force: self.force.map(|force| 1e3 * (1e-3 * force)),
+            pressure: self.pressure.map(|pressure| 1e6 * (1e-6 * pressure)),
             ..self
         }
     }

@@ -16,10 +16,11 @@ use campaign::dependence::Dependence;
 use campaign::design::{Design, TraceDesign};
 use campaign::engine::{MethodSystem, RunOptions, Shard};
 use campaign::labels::CertifiedBy;
-use campaign::plan::{Choice, Data, MapSettings, Sweep};
+use campaign::plan::{Choice, Data, MapSettings, Sweep, steps_of_turn};
 use campaign::quantities::Axis;
 use campaign::sweep_file::{DesignKind, FileContent};
 use campaign::text_file::unreadable;
+use campaign::words::short;
 use limits::ForwardContact;
 
 /// What was run.
@@ -210,6 +211,26 @@ impl Manifest {
         let whirl = (self.methods.iter()).filter_map(|method| method.sampling_frequency_hz);
         let by_rule = by_rule.then(|| (self.sampling_frequency_hz, whirl.collect()));
         fingerprint_of(&self.sweep, hashes, by_rule, self.options)
+    }
+
+    /// Methods in whose steps the whirl that came out is too fast, each in a sentence.
+    pub fn damped_whirl(&self) -> impl Iterator<Item = String> {
+        self.methods.iter().filter_map(|record| {
+            let method = &record.method;
+            let rate = self.tally.fastest_whirl_turns_per_s.get(method)?;
+            let own = record.sampling_frequency_hz;
+            let frequency = own.unwrap_or(self.sampling_frequency_hz);
+            let (steps, needed) = (frequency / rate, steps_of_turn(method));
+            (steps < needed).then(|| {
+                format!(
+                    "{method}: whirl at {rate:.0} turns/s has {steps:.0} steps in a turn at {} Hz, and \
+                     needs {needed}: its force is too small, and whirl that lasts may be missed; \
+                     `sampling_frequency_hz = {:.0}` resolves it",
+                    short(frequency),
+                    (needed * rate).ceil(),
+                )
+            })
+        })
     }
 
     /// Whether there is a map of it: none of a part, nor of fewer than two axes.

@@ -8,8 +8,7 @@ use anyhow::Result;
 
 use super::status::Status;
 use campaign::dependence::Dependence;
-use campaign::plan::steps_of_turn;
-use campaign::words::{counted, short, together, wrapped};
+use campaign::words::{counted, together, wrapped};
 use results::folder::{Manifest, Tally, TraceSummary};
 
 /// How a run that has these results ends.
@@ -61,28 +60,6 @@ fn certain(manifest: &Manifest) -> String {
         wrapped(&words, 2, 4)
     };
     manifest.tally.motions().into_iter().map(words).collect()
-}
-
-/// Methods in whose steps the whirl that came out is too fast.
-fn damped_whirl(manifest: &Manifest) -> String {
-    let words = manifest.methods.iter().filter_map(|record| {
-        let (method, tally) = (&record.method, &manifest.tally);
-        let rate = tally.fastest_whirl_turns_per_s.get(method)?;
-        let own = record.sampling_frequency_hz;
-        let frequency = own.unwrap_or(manifest.sampling_frequency_hz);
-        let (steps, needed) = (frequency / rate, steps_of_turn(method));
-        (steps < needed).then(|| {
-            let words = format!(
-                "warning: {method}: whirl at {rate:.0} turns/s has {steps:.0} steps in a turn at {} Hz, and needs \
-                 {needed}: its force is too small, and whirl that lasts may be missed; \
-                 `sampling_frequency_hz = {:.0}` resolves it",
-                short(frequency),
-                (needed * rate).ceil(),
-            );
-            wrapped(&words, 2, 4)
-        })
-    });
-    words.collect()
 }
 
 /// Possible dependences of labels that were not examined.
@@ -170,7 +147,9 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     }
     text += &certain(manifest);
     text += &depends_on(manifest);
-    text += &damped_whirl(manifest);
+    for words in manifest.damped_whirl() {
+        text += &wrapped(&format!("warning: {words}"), 2, 4);
+    }
     text += &not_examined(manifest);
     for words in manifest.tally.notes(manifest.sweep.units) {
         text += &wrapped(&words, 2, 4);

@@ -19,6 +19,7 @@ pub fn sureness(results: &Results) -> String {
         settled(results),
         unstable(results),
         depends(results),
+        damped(results),
     ];
     sentences
         .into_iter()
@@ -168,4 +169,10 @@ fn depends(results: &Results) -> Option<String> {
         .map(|it| it.words(&results.manifest.sweep))
         .collect();
     (!warned.is_empty()).then(|| format!("{}.", capital(&warned.join("; "))))
+}
+
+/// Whirl that the methods damp.
+fn damped(results: &Results) -> Option<String> {
+    let words: Vec<String> = results.manifest.damped_whirl().collect();
+    (!words.is_empty()).then(|| format!("{}.", capital(&words.join("; "))))
 }
