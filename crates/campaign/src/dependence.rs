@@ -82,7 +82,7 @@ pub struct Dependence {
     pub cases: usize,
     /// Those of them with another label.
     pub changed: usize,
-    /// Those of them that whirl both ways, at another rate or with another force.
+    /// Cases among them that whirl both ways, at another rate or with another force.
     #[serde(default)]
     pub other_whirl: usize,
 }
@@ -397,16 +397,16 @@ fn is_worth_building(sweep: &Sweep, setting: &Setting, longest: f64) -> bool {
 type Counts = [usize; 3];
 
 fn differing(some: &Records, others: &Records) -> Counts {
-    let outcome = |record: &'_ Option<Record>| record.as_ref()?.outcome.as_ref().ok().cloned();
     let mut counts = [0; 3];
     for (one, other) in some.iter().zip(others) {
-        let Some((one, other)) = outcome(one).zip(outcome(other)) else {
+        let outcomes = [one, other].map(|record| record.as_ref()?.outcome.as_ref().ok());
+        let [Some(one), Some(other)] = outcomes else {
             continue;
         };
         let differs = one.labels() != other.labels();
         counts[0] += 1;
         counts[1] += usize::from(differs);
-        counts[2] += usize::from(!differs && whirls_otherwise(&one, &other));
+        counts[2] += usize::from(!differs && whirls_otherwise(one, other));
     }
     counts
 }

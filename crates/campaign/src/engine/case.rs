@@ -149,7 +149,7 @@ impl Case {
         second.flatten().unwrap_or_else(first)
     }
 
-    /// The same case that lasts a number of times as long.
+    /// Case that lasts a number of times as long.
     pub(super) fn lasting(&self, times: f64) -> Self {
         let mut case = self.clone();
         case.scene.timing.duration *= times;

@@ -49,7 +49,7 @@ fn fades(record: &Record) -> bool {
     record.outcome.as_ref().is_ok_and(sim::Outcome::fades)
 }
 
-/// What a case was followed with that has a record: its system, and how long it lasted.
+/// System and case, in its length, that a record was reached with.
 pub(super) fn reached<'a>(
     system: &'a MethodSystem,
     case: &'a Case,

@@ -65,7 +65,7 @@ pub struct MethodSystem {
     rates: Option<RatesAtPlaces>,
     /// The same by steps that are shorter, where labels are certified.
     finer: Option<Box<MethodSystem>>,
-    /// The same for longer times, where a case has asked for them.
+    /// Systems for longer times, where a case has asked for them.
     pub(super) longer: [OnceLock<Option<Box<MethodSystem>>>; TIMES.len()],
 }
 

@@ -180,7 +180,7 @@ impl<'a> Demand<'a> {
         (self.sweep.design.cases() * self.methods.len()) as f64
     }
 
-    /// What is done with the systems, when a case takes `case` bytes and is followed up to a number of
+    /// Memory of the work with the systems, when a case takes `case` bytes and is followed up to a number of
     /// times as long.
     fn use_of(&self, case: f64, times: f64) -> Need {
         let (setting, longest) = &self.strings[0];

@@ -1,4 +1,4 @@
-//! What is doubtful of whirl, as its methods are sampled.
+//! Doubts about whirl, as its methods are sampled.
 
 use linear::Method;
 
