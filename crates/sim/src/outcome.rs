@@ -137,6 +137,11 @@ impl Outcome {
         torsion || lying.is_some_and(|lying| lying.fades)
     }
 
+    /// Whether stick-slip was so irregular when its time ended that the bit may turn on later.
+    pub fn is_irregular(&self) -> bool {
+        self.torsion().is_some_and(|torsion| torsion.is_irregular)
+    }
+
     /// The same outcome, in which motions that fade have undetermined labels.
     #[must_use]
     pub fn undetermined(mut self) -> Self {

@@ -1,5 +1,6 @@
 //! Cases whose time is by rule, followed for longer while their motion fades: stick-slip in which
-//! the bit sticks for ever shorter, and the swing of a string that lies in its hole.
+//! the bit sticks for ever shorter, and the swing of a string that lies in its hole. Irregular stick-slip is
+//! followed once.
 //!
 //! Responses are built for the longest time of the rule. Those of a longer case are built when the
 //! first case needs them, and are no part of a case that is decided in its time.
@@ -15,7 +16,7 @@ use super::timing::{TIMES, is_by_rule};
 use crate::plan::Sweep;
 use crate::records::Record;
 
-/// The record of a case followed for longer, while what is known of it is that its motion fades;
+/// The record of a case followed for longer, while its motion fades or, once, while it is irregular;
 /// `answer` is how a system answers a case.
 pub(super) fn followed(
     system: &MethodSystem,
@@ -28,7 +29,9 @@ pub(super) fn followed(
         return record;
     }
     for place in 0..TIMES.len() {
-        if !fades(&record) {
+        // What is as irregular after three times the time lasts.
+        let outcome = record.outcome.as_ref();
+        if !outcome.is_ok_and(|it| it.fades() || place == 0 && it.is_irregular()) {
             return record;
         }
         let Some(long) = longer(system, sweep, place) else {
@@ -43,10 +46,6 @@ pub(super) fn followed(
     }
     record.outcome = record.outcome.map(sim::Outcome::undetermined);
     record
-}
-
-fn fades(record: &Record) -> bool {
-    record.outcome.as_ref().is_ok_and(sim::Outcome::fades)
 }
 
 /// System and case, in its length, that a record was reached with.

@@ -211,11 +211,13 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
         let motor = self.watch.motor.as_ref();
         let faster = motor.map_or(0.0, MotorWatch::mean_relative_speed);
         let measures = watch.measures(self.scene.surface_speed + faster);
+        // Settled motion changes by no more than it may.
+        let may_change = end.ended == Ended::End && end.predicted.is_none();
         Some(TorsionMeasures {
             first_slip: (measures.first_slip).filter(|_| self.scene.start == Start::Rest),
             motor_stalled_fraction: motor.map(MotorWatch::stalled_fraction),
-            // Settled motion changes by no more than it may.
-            fades: measures.fades && end.ended == Ended::End && end.predicted.is_none(),
+            fades: measures.fades && may_change,
+            is_irregular: measures.is_irregular && may_change,
             ..measures
         })
     }

@@ -82,6 +82,9 @@ pub struct TorsionMeasures {
     /// Whether it sticks for ever shorter: longer simulated, it may turn on.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub fades: bool,
+    /// Whether it sticks for times so different from cycle to cycle that it may yet turn on.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_irregular: bool,
 }
 
 impl TorsionMeasures {
@@ -134,6 +137,11 @@ impl Alike {
 /// Times in which the bit was stuck, each shorter than all before, that make stick-slip fade. Of
 /// stick-slip that lasts they scatter, and two such in a row are rare.
 const EVER_SHORTER: usize = 2;
+
+/// Ratio of the longest to the shortest time stuck of the last cycles from which on stick-slip is irregular.
+/// Of three strings of 200 that turned on within three times the time of the rule two were so when that ended;
+/// from a ratio of 1.25 on it would be all three, and a well of jointed pipe would take twice as long.
+const IRREGULAR: f64 = 2.0;
 
 /// How often in a row the bit was stuck for a shorter time than ever before.
 #[derive(Debug, Clone, Default)]
@@ -409,6 +417,13 @@ impl BitWatch {
         self.step = self.steps;
     }
 
+    fn is_irregular(&self) -> bool {
+        let stuck = self.cycles.map(|cycle| cycle.period - cycle.slipping);
+        let [least, most] = [stuck.iter().min(), stuck.iter().max()].map(|it| *it.unwrap_or(&0));
+        // What differs by a step is the same.
+        most as f64 > IRREGULAR * least as f64 + 1.0
+    }
+
     fn is_sustained(&self) -> bool {
         let lately = self
             .last_recaptured
@@ -442,6 +457,7 @@ impl BitWatch {
             severity: Some(0.5 * swing / mean_speed.abs()).filter(|severity| severity.is_finite()),
             motor_stalled_fraction: None,
             fades: regime == TorsionRegime::StickSlip && self.shorter.count >= EVER_SHORTER,
+            is_irregular: regime == TorsionRegime::StickSlip && self.is_irregular(),
         }
     }
 }
@@ -514,17 +530,29 @@ mod tests {
         assert_eq!(sticking.measures(0.0).severity, None);
     }
 
+    /// Measures of a bit that is stuck for these steps, one after the other.
+    fn stuck_for(stuck: &[usize]) -> TorsionMeasures {
+        let steps = stuck.iter().map(|stuck| stuck + 10).sum();
+        let mut watch = BitWatch::new(Rules::USUAL, Sampling::new(1.0, 0.0), steps, 40.0);
+        for &stuck in stuck {
+            (0..10).for_each(|_| watch.see(BitMotion::Forward, 2.0));
+            (0..stuck).for_each(|_| watch.see(BitMotion::Stuck, 0.0));
+        }
+        watch.measures(1.0)
+    }
+
+    #[test]
+    fn stick_slip_is_irregular_whose_times_stuck_differ_twice() {
+        let is_irregular = |stuck: &[usize]| stuck_for(stuck).is_irregular;
+        // The last of each is not over.
+        assert!(!is_irregular(&[20, 90, 20, 21, 30, 20]));
+        assert!(is_irregular(&[20, 20, 20, 42, 20]));
+        assert!(!is_irregular(&[2, 1, 2, 1, 2, 2]));
+    }
+
     #[test]
     fn stick_slip_fades_that_sticks_for_ever_shorter() {
-        let fades = |stuck: &[usize]| {
-            let steps = stuck.iter().map(|stuck| stuck + 10).sum();
-            let mut watch = BitWatch::new(Rules::USUAL, Sampling::new(1.0, 0.0), steps, 40.0);
-            for &stuck in stuck {
-                (0..10).for_each(|_| watch.see(BitMotion::Forward, 2.0));
-                (0..stuck).for_each(|_| watch.see(BitMotion::Stuck, 0.0));
-            }
-            watch.measures(1.0).fades
-        };
+        let fades = |stuck: &[usize]| stuck_for(stuck).fades;
         // The last of each is not over.
         assert!(fades(&[20, 15, 12, 9, 9]));
         assert!(fades(&[20, 15, 9]));
