@@ -37,7 +37,10 @@ use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
 use crate::drillstring::{Drillstring, StringId};
 use crate::error::{BuildError, ResponseError};
-use crate::estimates::{largest_undershoot, torsional_travel_time, undershoot_time};
+use crate::estimates::{
+    largest_undershoot, torsional_decay_rate, torsional_period, torsional_travel_time,
+    torsional_wave_survives_to, undershoot_time,
+};
 use crate::filters::quadrature::{Sampling, series};
 use crate::pulse::RaisedCosine;
 use crate::responses::length::{MOST_TAPS, too_many};
@@ -67,19 +70,66 @@ const TIMES: usize = 128;
 /// Δ of Eq. 75 as it is, rad/s per N m: the largest undershoot of the bit's speed after a
 /// unit step of torque there, by waves on a lattice, whose fronts are sharp. Filters and
 /// elements let fronts overshoot, however short their steps, or smear them. It is looked for
-/// within [`undershoot_time`].
+/// within [`undershoot_time`], and up to twenty periods where only damping takes anything and so little that the
+/// bit may swing back further later.
 ///
 /// # Errors
 /// Where the lattice of so strongly damped a string would not fit in memory.
 pub fn exact_undershoot(string: &Drillstring) -> Result<f64, BuildError> {
-    Ok(largest_undershoot(&train_at_bit(string)?.1))
+    let time = undershoot_time(string);
+    if string.loss().has_memory() {
+        return exact_undershoot_within(string, time);
+    }
+    let most = MOST_PERIODS * torsional_period(string);
+    let rings = (LITTLE_DECAY / torsional_decay_rate(string)).min(most);
+    exact_undershoot_within(string, time.max(rings))
+}
+
+/// Δ of Eq. 75 as it is, rad/s per N m, within a time after the step of torque, s.
+///
+/// # Errors
+/// Where the lattice of so strongly damped a string would not fit in memory.
+pub fn exact_undershoot_within(string: &Drillstring, time: f64) -> Result<f64, BuildError> {
+    let longest_piece = match string.loss().has_memory() {
+        true => {
+            let affordable = time * string.tubes().count() as f64 / MOST_EVALUATED;
+            affordable.max(front_time(string) / PIECES_PER_FRONT)
+        }
+        false => f64::INFINITY,
+    };
+    let lattice = Lattice::of_pieces(string, &Sites::bit(), longest_piece)?;
+    Ok(largest_undershoot(&train(&lattice, time)?))
+}
+
+/// How much of an exponent decay takes within the time in which a string of little damping is watched.
+const LITTLE_DECAY: f64 = 0.25;
+
+/// Periods of the slowest vibration in which it is watched at most.
+const MOST_PERIODS: f64 = 20.0;
+
+/// Pieces of a lattice in the time over which loss that grows with frequency smears a front in a round trip;
+/// in 32 Δ of pipes of 2 km with loss factors of 0.0005 to 0.005 is up to 0.8 % off, in 64 to 1e-5.
+const PIECES_PER_FRONT: f64 = 64.0;
+
+/// The most pieces, of all tubes, that are evaluated for it: some seconds.
+const MOST_EVALUATED: f64 = 4e6;
+
+/// The time over which loss that grows with frequency smears a front in a round trip, s.
+fn front_time(string: &Drillstring) -> f64 {
+    let left_one_way = (-0.5_f64).exp();
+    1.0 / (std::f64::consts::TAU * torsional_wave_survives_to(string, left_one_way))
 }
 
 /// Speeds of the bit after a unit impulse of torque there, one after each travel time of a piece
 /// of the lattice, until the largest undershoot is behind; and that time, s.
 pub(crate) fn train_at_bit(string: &Drillstring) -> Result<(f64, Vec<f64>), BuildError> {
     let lattice = Lattice::new(string, &Sites::bit())?;
-    let impulses = (undershoot_time(string) / lattice.step).ceil();
+    let train = train(&lattice, undershoot_time(string))?;
+    Ok((lattice.step, train))
+}
+
+fn train(lattice: &Lattice, time: f64) -> Result<Vec<f64>, BuildError> {
+    let impulses = (time / lattice.step).ceil();
     if impulses > MOST_TAPS as f64 {
         return Err(too_many(impulses));
     }
@@ -91,7 +141,7 @@ pub(crate) fn train_at_bit(string: &Drillstring) -> Result<(f64, Vec<f64>), Buil
             response[0] = lattice.admittance(zeta).from_torque[(0, 0)];
         },
     );
-    Ok((lattice.step, trains.swap_remove(0)))
+    Ok(trains.swap_remove(0))
 }
 
 /// How the sites of a string truly move, in one channel, at times that the responses at one

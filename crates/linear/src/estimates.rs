@@ -344,6 +344,21 @@ pub fn largest_undershoot(taps: &[f64]) -> f64 {
     }
 }
 
+/// The number of taps after which the step response whose taps are given is first within a hundredth of
+/// its largest undershoot; none where it has no undershoot.
+pub fn taps_to_undershoot(taps: &[f64]) -> Option<usize> {
+    let deep = NEARLY_DEEPEST * largest_undershoot(taps);
+    let mut speed = 0.0;
+    let mut reaches = taps.iter().map(|tap| {
+        speed += tap;
+        speed <= -deep
+    });
+    (deep > 0.0).then(|| reaches.position(|it| it)).flatten()
+}
+
+/// The part of the largest undershoot that is as good as all of it.
+const NEARLY_DEEPEST: f64 = 0.99;
+
 /// The most that a step of torque makes of the bit's speed, in the units of the response.
 pub fn largest_response(taps: &[f64]) -> f64 {
     ends_of_step_response(taps)[1].max(0.0)

@@ -36,7 +36,7 @@ impl WrongFront {
     /// What is to be said of it.
     pub fn words(&self, units: Units) -> String {
         let unit = Unit::unchanged("rad/s").per(&units.of(&TORQUE));
-        let part = self.front.overshoot();
+        let part = self.front.relative();
         let (what, side, remedy) = if part > 0.0 {
             ("overshoot by", "above", "`held` keeps fronts as they are")
         } else {
@@ -58,6 +58,11 @@ impl WrongFront {
 }
 
 impl Front {
+    /// By which part of the exact undershoot it is more than that.
+    pub fn relative(&self) -> f64 {
+        self.undershoot / self.exact - 1.0
+    }
+
     /// By which part of the exact undershoot, or of a small one of the largest speed, it is
     /// more than that.
     pub fn overshoot(&self) -> f64 {

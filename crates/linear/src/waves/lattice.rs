@@ -114,6 +114,18 @@ impl Lattice {
     /// # Errors
     /// Where these are not places of this string.
     pub fn new(string: &Drillstring, sites: &Sites) -> Result<Self, DrillstringError> {
+        Self::of_pieces(string, sites, f64::INFINITY)
+    }
+
+    /// The lattice of a string cut at sites, of pieces that take no longer than a time to travel, s.
+    ///
+    /// # Errors
+    /// Where these are not places of this string.
+    pub fn of_pieces(
+        string: &Drillstring,
+        sites: &Sites,
+        longest_piece: f64,
+    ) -> Result<Self, DrillstringError> {
         let spans = string.surrounded_spans(string.channel(), sites)?;
         let loss = Arc::new(LossAlong::exact(string, string.channel(), &spans));
         let travel = torsional_travel_time(string);
@@ -121,7 +133,9 @@ impl Lattice {
             true => FEWEST_WITH_MEMORY,
             false => FEWEST_PIECES,
         };
-        let longest = (travel / fewest).min(longest_damped(string));
+        let longest = longest_piece
+            .min(travel / fewest)
+            .min(longest_damped(string));
         let parts = string.tubes().map(|(_, tube)| tube.length);
         let part = parts.fold(f64::INFINITY, f64::min) / string.torsional_wave_speed();
         let shortest = part.clamp(travel / MOST_PIECES, travel / USUAL_PIECES);

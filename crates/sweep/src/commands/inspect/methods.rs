@@ -57,7 +57,7 @@ impl InspectedMethod {
                 undershoot_rad_s_per_nm: largest_undershoot(taps),
             }),
             exact_undershoot_rad_s_per_nm: system.front.map(|front| front.exact),
-            overshoot: system.front.map(|front| front.overshoot()),
+            overshoot: system.front.map(|front| front.relative()),
             least_impulses_ns: system.least_impulses.clone(),
             positive_real_margin: system.torsion_margin,
             bending_margin: system.bending_margin,
