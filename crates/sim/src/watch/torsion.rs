@@ -138,24 +138,35 @@ impl Alike {
 /// stick-slip that lasts they scatter, and two such in a row are rare.
 const EVER_SHORTER: usize = 2;
 
-/// Ratio of the longest to the shortest time stuck of the last cycles from which on stick-slip is irregular.
-/// Of three strings of 200 that turned on within three times the time of the rule two were so when that ended;
-/// from a ratio of 1.25 on it would be all three, and a well of jointed pipe would take twice as long.
+/// Ratio of the longest to the shortest of the last times stuck from which on stick-slip is irregular. Of seven
+/// strings of 400 that turned on between the time of the rule and ten times that four were so and turned on within
+/// three times of it. From 1.25 on it would be five, and a well of jointed pipe would take twice as long.
 const IRREGULAR: f64 = 2.0;
 
-/// How often in a row the bit was stuck for a shorter time than ever before.
+/// Times in which the bit was stuck, from slip to slip, steps.
 #[derive(Debug, Clone, Default)]
-struct Shorter {
+struct Stuck {
     least: Option<usize>,
-    count: usize,
+    /// How often in a row it was stuck for a shorter time than ever before.
+    ever_shorter: usize,
+    /// The last times.
+    last: [usize; 5],
 }
 
-impl Shorter {
+impl Stuck {
     /// A time in steps; what differs by one is the same.
     fn see(&mut self, stuck: usize) {
         let is_shorter = self.least.is_none_or(|least| stuck + 1 < least);
-        self.count = if is_shorter { self.count + 1 } else { 0 };
+        self.ever_shorter = if is_shorter { self.ever_shorter + 1 } else { 0 };
         self.least = Some(self.least.map_or(stuck, |least| least.min(stuck)));
+        self.last.rotate_left(1);
+        self.last[self.last.len() - 1] = stuck;
+    }
+
+    fn is_irregular(&self) -> bool {
+        let times = || self.last.iter().filter(|stuck| **stuck > 0);
+        let [least, most] = [times().min(), times().max()].map(|it| *it.unwrap_or(&0));
+        most as f64 > IRREGULAR * least as f64 + 1.0
     }
 }
 
@@ -168,7 +179,7 @@ pub(crate) struct BitWatch {
     longest_cycle: usize,
     cycles: [Cycle; AGREEING_CYCLES],
     alike: Alike,
-    shorter: Shorter,
+    stuck: Stuck,
     /// Speeds since the last slip began, and of the cycle before.
     since_slip: Vec<f64>,
     last_cycle: Vec<f64>,
@@ -230,7 +241,7 @@ impl BitWatch {
             longest_cycle: window + 1,
             cycles: Default::default(),
             alike: Alike::default(),
-            shorter: Shorter::default(),
+            stuck: Stuck::default(),
             since_slip: Vec::new(),
             last_cycle: Vec::new(),
             recaptured_at: 0,
@@ -319,7 +330,7 @@ impl BitWatch {
         };
         self.cycles[AGREEING_CYCLES - 1] = cycle;
         self.alike.see(cycle);
-        self.shorter.see(self.step - self.recaptured_at);
+        self.stuck.see(self.step - self.recaptured_at);
         std::mem::swap(&mut self.last_cycle, &mut self.since_slip);
     }
 
@@ -417,13 +428,6 @@ impl BitWatch {
         self.step = self.steps;
     }
 
-    fn is_irregular(&self) -> bool {
-        let stuck = self.cycles.map(|cycle| cycle.period - cycle.slipping);
-        let [least, most] = [stuck.iter().min(), stuck.iter().max()].map(|it| *it.unwrap_or(&0));
-        // What differs by a step is the same.
-        most as f64 > IRREGULAR * least as f64 + 1.0
-    }
-
     fn is_sustained(&self) -> bool {
         let lately = self
             .last_recaptured
@@ -456,8 +460,8 @@ impl BitWatch {
             closing_speed: self.closing.sum / closing_steps as f64,
             severity: Some(0.5 * swing / mean_speed.abs()).filter(|severity| severity.is_finite()),
             motor_stalled_fraction: None,
-            fades: regime == TorsionRegime::StickSlip && self.shorter.count >= EVER_SHORTER,
-            is_irregular: regime == TorsionRegime::StickSlip && self.is_irregular(),
+            fades: regime == TorsionRegime::StickSlip && self.stuck.ever_shorter >= EVER_SHORTER,
+            is_irregular: regime == TorsionRegime::StickSlip && self.stuck.is_irregular(),
         }
     }
 }
@@ -545,8 +549,8 @@ mod tests {
     fn stick_slip_is_irregular_whose_times_stuck_differ_twice() {
         let is_irregular = |stuck: &[usize]| stuck_for(stuck).is_irregular;
         // The last of each is not over.
-        assert!(!is_irregular(&[20, 90, 20, 21, 30, 20]));
-        assert!(is_irregular(&[20, 20, 20, 42, 20]));
+        assert!(!is_irregular(&[90, 20, 20, 20, 21, 30, 20]));
+        assert!(is_irregular(&[20, 42, 20, 20, 20, 20]));
         assert!(!is_irregular(&[2, 1, 2, 1, 2, 2]));
     }
 
