@@ -84,6 +84,7 @@ impl Hoist {
             proportional_gain: self.damping,
             integral_gain: self.stiffness,
             delay: 0.0,
+            late_inertia: 0.0,
         })
     }
 }

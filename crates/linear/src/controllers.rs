@@ -39,6 +39,7 @@ pub fn stiff(string: &Drillstring, inertia: f64) -> TopDrive {
         proportional_gain,
         integral_gain: first_mode(string).frequency * proportional_gain,
         delay: 0.0,
+        late_inertia: 0.0,
     }
 }
 
@@ -60,6 +61,7 @@ pub fn soft_torque(string: &Drillstring, inertia: f64) -> TopDrive {
         proportional_gain: 2.0 * frequency * (inertia * of_string).sqrt(),
         integral_gain: frequency * frequency * inertia,
         delay: 0.0,
+        late_inertia: 0.0,
     }
 }
 
@@ -73,6 +75,7 @@ pub fn impedance_matched(string: &Drillstring) -> TopDrive {
         proportional_gain: impedance,
         integral_gain: KEEPS_THE_MEAN * first_mode(string).frequency * impedance,
         delay: 0.0,
+        late_inertia: 0.0,
     }
 }
 

@@ -451,6 +451,7 @@ impl Drillstring {
             add(drive.proportional_gain);
             add(drive.integral_gain);
             add(drive.delay);
+            add(drive.late_inertia);
         }
         if let Some(hole) = &self.hole {
             add(hole.mud.density);

@@ -2,14 +2,15 @@
 //!
 //! A drive that answers to its speed of a time τ ago has the impedance
 //! s J + (K_p + K_i/s) e^(−s τ), whose real part is K_p cos ωτ − (K_i/ω) sin ωτ: beyond a quarter of
-//! the frequency 1/τ it gives where it should take. Whether the string takes more than that is
+//! the frequency 1/τ it gives where it should take. Where it makes up for an inertia J_l by an acceleration that is as
+//! old, s J_l (1 − e^(−s τ)) comes to that. Whether the string takes more than that is
 //! counted: with Z that of the string at its surface, below a bit that is free, and Z₀ that of the
 //! drive without delay, the roots that grow are those of
 //!
 //! Q(s) = (Z + Z_drive)/(Z + Z₀) = 0,
 //!
-//! for without delay none grows. Q tends to 1 where the inertia outweighs all else, so their number
-//! is −1/π times the change of arg Q(iω) from ω = 0 to ∞ (Nyquist).
+//! for without delay none grows. Where the inertia outweighs all else Q tends to 1 + (1 − e^(−s τ)) J_l/J, whose real part
+//! is positive, so their number is −1/π times the change of arg Q(iω) from ω = 0 to ∞ (Nyquist).
 //!
 //! A rotor alone under K_p gains from a quarter of a period on, τ = π J/(2 K_p):
 //!
@@ -25,6 +26,7 @@
 //!     proportional_gain: 4e4,
 //!     integral_gain: 0.0,
 //!     delay,
+//!     late_inertia: 0.0,
 //! };
 //! let below = |delay: f64| stub.clone().with_top_drive(drive(delay));
 //! let longest = longest_delay(&below(0.01)?)?.ok_or("it is found")?;
@@ -140,7 +142,8 @@ impl<'a> AtSurface<'a> {
     fn parts(&self, delay: f64, omega: f64) -> [Complex64; 2] {
         let [rest, motor] = self.torques(omega);
         let late = Complex64::from_polar(1.0, -omega * delay);
-        [rest + motor * late, rest + motor]
+        let not_yet = (late - 1.0) * omega * omega * self.drive.late_inertia;
+        [rest + not_yet + motor * late, rest + motor]
     }
 
     fn growing(&self, delay: f64) -> Option<usize> {

@@ -213,6 +213,7 @@ mod tests {
         proportional_gain: 4000.0,
         integral_gain: 1500.0,
         delay: 0.0,
+        late_inertia: 0.0,
     };
 
     /// A uniform tube: ω grows linearly from the bit, and damping takes c_t L Ω/2.

@@ -14,7 +14,7 @@ use crate::error::DrillstringError;
 /// ```
 /// use linear::{Complex64, TopDrive};
 ///
-/// let drive = TopDrive { inertia: 2000.0, proportional_gain: 300.0, integral_gain: 80.0, delay: 0.0 };
+/// let drive = TopDrive { inertia: 2000.0, proportional_gain: 300.0, integral_gain: 80.0, delay: 0.0, late_inertia: 0.0 };
 /// // Inertia and integral gain oppose one another: at √(K_i/J) only K_p is left.
 /// let rate = (80.0f64 / 2000.0).sqrt();
 /// let impedance = drive.impedance(Complex64::new(0.0, rate));
@@ -32,6 +32,9 @@ pub struct TopDrive {
     /// How long ago the speed was measured that the controller answers to, τ, s. The set speed it
     /// knows at once.
     pub delay: f64,
+    /// Inertia that the controller makes up for by the acceleration that it measured as long ago, kg m²; it
+    /// plays no part without a delay.
+    pub late_inertia: f64,
 }
 
 impl TopDrive {
@@ -42,6 +45,7 @@ impl TopDrive {
             ("proportional gain", self.proportional_gain),
             ("integral gain", self.integral_gain),
             ("delay", self.delay),
+            ("late inertia", self.late_inertia),
         ];
         for (quantity, value) in numbers {
             if !(value.is_finite() && value >= 0.0) {
@@ -55,12 +59,13 @@ impl TopDrive {
     }
 
     /// Torque per speed that it opposes at the Laplace variable s (rad/s):
-    /// s J + (K_p + K_i/s) e^(−s τ).
+    /// s J + s J_l (1 − e^(−s τ)) + (K_p + K_i/s) e^(−s τ), J_l the late inertia.
     pub fn impedance(&self, s: Complex64) -> Complex64 {
         if self.delay == 0.0 {
             return s * self.inertia + self.proportional_gain + self.integral_gain / s;
         }
         let controlled = self.integral_gain / s + self.proportional_gain;
-        s * self.inertia + controlled * (-self.delay * s).exp()
+        let late = (-self.delay * s).exp();
+        s * (self.inertia + self.late_inertia * (1.0 - late)) + controlled * late
     }
 }

@@ -86,6 +86,7 @@ impl BelowDashpots {
             proportional_gain: dampings[0],
             integral_gain: 0.0,
             delay: 0.0,
+            late_inertia: 0.0,
         };
         let string = string.with_top_drive(drive).expect("such a drive turns it");
         Self {

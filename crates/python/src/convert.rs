@@ -121,6 +121,7 @@ impl From<TopDrive> for linear::TopDrive {
             proportional_gain: drive.proportional_gain,
             integral_gain: drive.integral_gain,
             delay: 0.0,
+            late_inertia: 0.0,
         }
     }
 }

@@ -20,7 +20,7 @@
 //! let pipe = Tube { length: 2000.0, inner_radius: 0.054, outer_radius: 0.0635 };
 //! let string = Drillstring::new(steel, vec![Section { repeat: 1, parts: vec![pipe] }], 0.0)?;
 //! let damping = linear::estimates::torsional_impedance(&string, &pipe) * 1.7 / 0.3;
-//! let drive = TopDrive { inertia: 0.0, proportional_gain: damping, integral_gain: 0.0, delay: 0.0 };
+//! let drive = TopDrive { inertia: 0.0, proportional_gain: damping, integral_gain: 0.0, delay: 0.0, late_inertia: 0.0 };
 //! let string = string.with_top_drive(drive)?;
 //! let hoist = Hoist { mass: 0.0, damping: 142_292.0 * 1.7 / 0.3, stiffness: 0.0 };
 //! let rod = Axial { youngs_modulus: 210e9, damping: 0.0, hoist: Some(hoist) }.rod(&string)?;

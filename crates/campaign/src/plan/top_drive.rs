@@ -129,11 +129,13 @@ fn drive(
                 proportional_gain: required("proportional_gain_knms_rad", proportional_gain)?,
                 integral_gain: required("integral_gain_knm_rad", integral_gain)?,
                 delay: 0.0,
+                late_inertia: 0.0,
             }
         }
     };
     let drive = TopDrive {
         delay: 1e-3 * delay,
+        late_inertia: inertia - drive.inertia,
         ..drive
     };
     Ok((Some(drive), left))

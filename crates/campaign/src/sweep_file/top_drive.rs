@@ -26,8 +26,8 @@ pub struct TopDriveTable {
     /// any string.
     #[schemars(range(min = 0.0, max = 1.0))]
     pub inertia_compensation: Option<f64>,
-    /// How long ago the speed was measured that the controller answers to; 10 to 100 in drives as they
-    /// are. It then gives energy at high frequencies: a string that takes less grows unstable below it,
+    /// How long ago speed and acceleration were measured that the controller answers to; 10 to 100 in drives as
+    /// they are. It then gives energy at high frequencies: a string that takes less grows unstable below it,
     /// and is refused with the longest delay that it bears.
     #[schemars(!skip_serializing_if, range(min = 0.0, max = 1e4))]
     #[serde(default, skip_serializing_if = "is_zero")]

@@ -110,10 +110,14 @@ impl<T: Number> Drive<T> {
     /// motion, and what a delay makes of these, where its controller has one.
     pub fn of(drive: &TopDrive, [acceleration, speed, rotation]: [T; 3], late: Option<T>) -> Self {
         let holds = speed * drive.proportional_gain + rotation * drive.integral_gain;
-        let motor = late.map_or(holds, |late| holds * late);
+        let inert = acceleration * drive.inertia;
+        let (inert, motor) = late.map_or((inert, holds), |late| {
+            let not_yet = acceleration * drive.late_inertia * (-late + 1.0);
+            (inert + not_yet, holds * late)
+        });
         Self {
             holds,
-            opposes: acceleration * drive.inertia + motor,
+            opposes: inert + motor,
             motor,
         }
     }

@@ -8,7 +8,7 @@
 //!
 //! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
 //! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.06 };
-//! let drive = TopDrive { inertia: 2000.0, proportional_gain: 3e3, integral_gain: 1e3, delay: 0.0 };
+//! let drive = TopDrive { inertia: 2000.0, proportional_gain: 3e3, integral_gain: 1e3, delay: 0.0, late_inertia: 0.0 };
 //! let string = Drillstring::new(steel, vec![Section { repeat: 100, parts: vec![pipe] }], 0.02)?
 //!     .with_top_drive(drive)?;
 //! let request = Request {

@@ -62,6 +62,7 @@ fn a_string_takes_over_the_channels_in_which_it_moves_as_before() {
         proportional_gain: 1000.0,
         integral_gain: 500.0,
         delay: 0.0,
+        late_inertia: 0.0,
     };
     assert_eq!(of(&string().with_top_drive(drive).unwrap()), [false, true]);
     let pull = AxialForce {

@@ -383,7 +383,7 @@ proptest! {
         proportional_gain in 1.0..2000.0f64,
         integral_gain in prop_oneof![Just(0.0), 1.0..2000.0f64],
     ) {
-        let drive = TopDrive { inertia, proportional_gain, integral_gain, delay: 0.0 };
+        let drive = TopDrive { inertia, proportional_gain, integral_gain, delay: 0.0, late_inertia: 0.0 };
         let string = model.string.clone().with_top_drive(drive).unwrap();
         let model = Model { string, ..model };
         let torques = (0..model.sites.len()).collect();

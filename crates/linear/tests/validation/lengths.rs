@@ -126,6 +126,7 @@ fn drawn(number: usize) -> (Drillstring, Request) {
         proportional_gain: draw.log_uniform(50.0, 20_000.0),
         integral_gain: draw.log_uniform(10.0, 20_000.0),
         delay: 0.0,
+        late_inertia: 0.0,
     };
     let string = match number % 2 {
         0 => string,

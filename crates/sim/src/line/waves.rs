@@ -251,6 +251,7 @@ mod tests {
             proportional_gain: draw.log_uniform(100.0, 1e4),
             integral_gain: draw.log_uniform(100.0, 1e4),
             delay: 0.0,
+            late_inertia: 0.0,
         };
         let string = match number % 2 {
             0 => string,

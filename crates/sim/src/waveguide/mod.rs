@@ -288,6 +288,7 @@ mod tests {
             proportional_gain: 3000.0,
             integral_gain: 900.0,
             delay: 0.0,
+            late_inertia: 0.0,
         };
         let driven = plain.clone().with_top_drive(drive).unwrap();
         for string in [plain, driven] {

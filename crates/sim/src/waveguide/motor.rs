@@ -93,6 +93,7 @@ mod tests {
             proportional_gain: 800.0,
             integral_gain: 1000.0,
             delay: 0.0,
+            late_inertia: 0.0,
         };
         let (step, set) = (1e-3, 3.0);
         let mut motor = Motor::new(&drive, 0.0, 0.0, step);

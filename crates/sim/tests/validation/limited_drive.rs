@@ -90,6 +90,7 @@ const ROTOR: TopDrive = TopDrive {
     proportional_gain: 3000.0,
     integral_gain: 600.0,
     delay: 0.0,
+    late_inertia: 0.0,
 };
 
 /// With all of T_most a rotor is brought up to speed evenly, its integral standing still; from the
@@ -242,6 +243,7 @@ fn val_stick_slip_below_a_limited_drive_is_that_of_masses_and_springs() {
         proportional_gain: 20e3,
         integral_gain: 3000.0,
         delay: 0.0,
+        late_inertia: 0.0,
     };
     let (limit, speed, law) = (12.3e3, 0.6, bit(12e3, 6e3));
     let (frequency, time) = (256.0, 24.0);

@@ -42,6 +42,7 @@ impl With {
             proportional_gain: 6000.0,
             integral_gain: 4000.0,
             delay: 0.0,
+            late_inertia: 0.0,
         };
         match self.drive {
             true => string.with_top_drive(drive).unwrap(),

@@ -120,6 +120,7 @@ fn problems() -> impl Iterator<Item = Problem> {
         proportional_gain: 3000.0,
         integral_gain: 2000.0,
         delay: 0.0,
+        late_inertia: 0.0,
     };
     let methods = [
         Method::Held,

@@ -76,6 +76,7 @@ fn strings() -> Vec<Drillstring> {
         proportional_gain: 3000.0,
         integral_gain: 2000.0,
         delay: 0.0,
+        late_inertia: 0.0,
     };
     let jointed = academic::string();
     vec![

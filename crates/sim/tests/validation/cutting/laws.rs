@@ -286,6 +286,7 @@ fn below(number: usize) -> BelowDashpots {
         proportional_gain: draw.log_uniform(100.0, 1e4),
         integral_gain: draw.uniform(0.0, 5000.0),
         delay: 0.0,
+        late_inertia: 0.0,
     };
     BelowDashpots {
         string: string.with_top_drive(drive).unwrap(),
