@@ -66,6 +66,7 @@ pub use simulation::Simulation;
 pub use stopwatch::Stopwatch;
 pub use survey::{Survey, longest_of_string, setting_of, survey};
 pub use systems::{Basis, MethodSystem, Recipe, add_finer, compare_fronts};
+pub use timing::is_by_rule;
 pub use whole_string::{reconstructed, whole_string};
 
 use std::sync::OnceLock;

@@ -11,7 +11,7 @@ use crate::sweep_file::AutoOr;
 pub(super) const TIMES: [f64; 2] = [3.0, 9.0];
 
 /// Whether the time of cases is by rule, and that waits for motion to fade.
-pub(super) fn is_by_rule(sweep: &Sweep, setting: &Setting) -> bool {
+pub fn is_by_rule(sweep: &Sweep, setting: &Setting) -> bool {
     matches!(sweep.time, AutoOr::Auto) && setting.cutting.is_none()
 }
 

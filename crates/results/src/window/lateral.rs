@@ -8,7 +8,6 @@ use super::analytic::{Resonance, above_speed, resonance_limit};
 use super::asked::WindowAsked;
 use super::chart::{Drawn, Source};
 use super::error::WindowError;
-use super::hit::whirl_when_hit;
 use super::standing::Standing;
 use super::swings::Swings;
 use campaign::plan::{LateralSettings, Sweep, WallSettings};
@@ -64,10 +63,8 @@ pub fn not_examined(sweep: &Sweep, ranges: [[f64; 2]; 2], asked: &WindowAsked) -
 /// Why no bound says where whirl cannot last; none where one does.
 fn no_bound(sweep: &Sweep, lateral: &LateralSettings) -> Option<String> {
     if sweep.setting.lying.is_some() {
-        return Some(format!(
-            "no bound is known for a string on the low side of its hole; {}",
-            whirl_when_hit()
-        ));
+        let reason = "no bound is known for a string on the low side of its hole";
+        return Some(reason.to_owned());
     }
     if sweep.setting.whirling_with_string().is_none() {
         let reason = "the bit, which is at a wall, turns faster than the string";

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::asked::WindowAsked;
 use super::chart::Chart;
 use super::error::WindowError;
+use super::how_often_wrong::how_often_wrong;
 use super::lateral;
 use super::motor;
 use super::of_folders;
@@ -22,6 +23,8 @@ pub struct OperatingWindow {
     pub chart: Chart,
     /// What may shake the string and has no limit here.
     pub not_examined: Vec<String>,
+    /// How often words of safety were wrong for such strings, a sentence each.
+    pub how_often_wrong: Vec<String>,
 }
 
 impl OperatingWindow {
@@ -55,6 +58,7 @@ impl OperatingWindow {
                 None => chart,
             },
             not_examined: lateral::not_examined(sweep, ranges, asked),
+            how_often_wrong: how_often_wrong(sweep),
         })
     }
 }

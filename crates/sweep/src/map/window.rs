@@ -42,6 +42,8 @@ pub struct WindowView<'a> {
     pub clearance: f64,
     /// What may shake the string and has no limit here.
     pub not_examined: Vec<String>,
+    /// How often words of safety were wrong for such strings.
+    pub how_often_wrong: Vec<String>,
 }
 
 /// Draws an operating window.
@@ -79,7 +81,14 @@ pub fn window_picture(of: &WindowView) -> Picture {
             scale: None,
             keys: keys(chart),
             notes: Vec::new(),
-            below: [of.regions(), of.best(), of.limits(), of.not_examined()].concat(),
+            below: [
+                of.regions(),
+                of.best(),
+                of.limits(),
+                of.not_examined(),
+                of.how_often_wrong(),
+            ]
+            .concat(),
             panels: vec![panel],
         }],
     };
@@ -375,6 +384,12 @@ impl WindowView<'_> {
     pub fn not_examined(&self) -> Vec<String> {
         let in_words = |what: &String| format!("not examined: {what}");
         self.not_examined.iter().map(in_words).collect()
+    }
+
+    /// How often words such as safe were wrong.
+    pub fn how_often_wrong(&self) -> Vec<String> {
+        let in_words = |what: &String| format!("how often wrong: {what}");
+        self.how_often_wrong.iter().map(in_words).collect()
     }
 
     /// How far it is from the best point to what limits it.

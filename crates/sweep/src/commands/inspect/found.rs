@@ -43,6 +43,8 @@ pub struct Inspection<'a> {
     pub modes: Option<InspectedModes>,
     /// The responses by each method.
     pub methods: Vec<InspectedMethod>,
+    /// How often words of safety were wrong for such strings, a sentence each.
+    pub how_often_wrong: Vec<String>,
     /// What the scene does not need.
     pub left_out: Vec<&'static str>,
     /// What a run takes.
@@ -61,6 +63,7 @@ impl Inspection<'_> {
         let optional = |text: Option<String>| text.unwrap_or_default();
         let methods = self.methods.iter().map(|method| method.words(units));
         let left_out = self.left_out.iter().map(|line| format!("  {line}\n"));
+        let how_often = self.how_often_wrong.iter().map(|line| wrapped(line, 2, 4));
         [
             wrapped(&format!("{}: {}", self.name, self.title), 0, 2),
             self.string.words(units),
@@ -78,6 +81,10 @@ impl Inspection<'_> {
             methods.collect(),
             "\nleft out, because the scene does not need it\n".to_owned(),
             left_out.collect(),
+            optional((!self.how_often_wrong.is_empty()).then(|| {
+                let title = "\nhow often words of safety were wrong\n".to_owned();
+                title + &how_often.collect::<String>()
+            })),
             self.cost.words(),
             self.files(),
         ]

@@ -45,6 +45,7 @@ use modes::{InspectedModes, write_modes};
 use motor::InspectedMotor;
 use responses::{response_panels, response_picture};
 use results::files::write_atomically;
+use results::window::how_often_wrong;
 use string::InspectedString;
 use tables::write_tables;
 use top_drive::DriveView;
@@ -146,6 +147,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         motor: InspectedMotor::of(sweep),
         modes,
         methods: systems.iter().map(InspectedMethod::of).collect(),
+        how_often_wrong: how_often_wrong(sweep),
         left_out: left_out(sweep),
         cost: InspectedCost::of(sweep, &survey, &systems, (&memory, &limit), &time),
         folder: folder.display().to_string(),

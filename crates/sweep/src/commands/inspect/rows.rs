@@ -2,6 +2,6 @@
 
 /// A title and a value, which stand below those of other depths.
 pub fn row(depth: usize, title: &str, value: &str) -> String {
-    let width = 29 - depth;
-    format!("{:depth$}{title:<width$}{value}\n", "")
+    let width = 28 - depth;
+    format!("{:depth$}{title:<width$} {value}\n", "")
 }

@@ -20,6 +20,7 @@ pub struct WindowFound<'a> {
     safe_regions: &'a [Region],
     best: Option<BestFound<'a>>,
     not_examined: &'a [String],
+    how_often_wrong: &'a [String],
     /// The rows of `window.csv`.
     #[serde(serialize_with = "by_column")]
     cells: &'a Chart,
@@ -65,6 +66,7 @@ impl<'a> WindowFound<'a> {
             safe_regions: &view.regions,
             best,
             not_examined: &view.not_examined,
+            how_often_wrong: &view.how_often_wrong,
             cells: chart,
             files,
         }

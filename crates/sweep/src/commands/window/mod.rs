@@ -50,6 +50,7 @@ pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status>
     let OperatingWindow {
         chart,
         not_examined,
+        how_often_wrong,
     } = found;
     if arguments.accept_chatter && sweep.setting.cutting.is_none() {
         let message = "--accept-chatter: no bit of this sweep cuts, and so none chatters";
@@ -62,6 +63,7 @@ pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status>
         best: chart.best(arguments.clearance),
         clearance: arguments.clearance,
         not_examined,
+        how_often_wrong,
         chart: &chart,
     };
     let folder = arguments.out.clone().unwrap_or_else(|| all[0].0.clone());

@@ -20,6 +20,10 @@ pub fn describe(view: &WindowView, files: &[String]) -> String {
         ("safe", view.regions()),
         ("best point", view.best()),
         ("not examined", view.not_examined.clone()),
+        (
+            "how often words of safety were wrong",
+            view.how_often_wrong.clone(),
+        ),
     ] {
         if lines.is_empty() {
             continue;
