@@ -457,3 +457,47 @@ fn an_invalid_wall_is_refused() {
         assert_eq!(said.lines().count(), 1, "{said}");
     }
 }
+
+/// The last value of an axis is where it ends, also in other units and where limits are traced.
+#[test]
+fn a_rock_table_may_end_where_the_weights_end() {
+    for to in [30, 40, 47, 61] {
+        let text = format!(
+            "methods = [\"quadrature\"]\n[string]\nshear_modulus_gpa = 80\ndensity_kg_m3 = 7850\n\
+             torsional_damping_nms_rad_m = 5\n[[string.sections]]\nrepeat = 1\nparts = [{{ length_m = 1000, \
+             inner_radius_m = 0.05, outer_radius_m = 0.0635 }}]\n[bit]\nrock = \"table\"\n\
+             table_klbf_lbf_ft = [[0, 0], [{to}, 5000]]\n[design]\nkind = \"grid\"\n[design.axes]\n\
+             surface_speed_rpm = {{ values = [100] }}\nweight_on_bit_klbf = {{ from = 2, to = {to}, count = 4 }}\n"
+        );
+        let place = Workplace::with_small(&text);
+        let answer = place.sweep(&["run", "small.toml", "--quiet"]);
+        assert_eq!(answer.code, 0, "{to}: {}", answer.errors);
+    }
+}
+
+/// A case whose time is by rule lasts as long as what it is compared with.
+#[test]
+fn what_is_compared_is_simulated() {
+    let rows = (0..=80).map(|second| format!("{second},{}\n", 20 + second % 3));
+    let place = Workplace::new();
+    place.write(
+        "recorded.csv",
+        format!("time_s,bit_rpm\n{}", rows.collect::<String>()),
+    );
+    let compared = "[[compare]]\ntrace = \"bit_speed_rpm\"\nfile = \"recorded.csv\"\ncolumn = \"bit_rpm\"\n\
+                    from_s = 0\nto_s = 80\n";
+    let text = DRILLING.replace("time_s = 30\n", "") + compared;
+    place.write("small.toml", text);
+    let answer = place.answer(&["run", "small.toml", "--out", "out"]);
+    assert_eq!(answer.code, 0, "{}", answer.errors);
+    let labels = std::fs::read_to_string(place.path("out/labels.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = labels
+        .lines()
+        .map(|line| line.split(',').collect())
+        .collect();
+    let misfit = rows[0]
+        .iter()
+        .position(|it| *it == "misfit_bit_speed_rpm")
+        .unwrap();
+    assert!(rows[1][misfit].parse::<f64>().unwrap() > 0.0, "{labels}");
+}

@@ -124,7 +124,9 @@ fn along_axis(sweep: &Sweep, position: usize) -> impl Iterator<Item = f64> + use
 }
 
 fn between([from, to]: [f64; 2]) -> impl Iterator<Item = f64> + use<> {
-    (0..=POINTS).map(move |step| from + (to - from) * step as f64 / POINTS as f64)
+    // Rounding would miss the end.
+    let inner = (0..POINTS).map(move |step| from + (to - from) * step as f64 / POINTS as f64);
+    inner.chain([to])
 }
 
 fn limit_of_methods(

@@ -82,9 +82,11 @@ impl Case {
             &start,
             axial.as_ref().map(|axial| &axial.cutting),
         );
-        if let AutoOr::Given(duration) = sweep.time {
-            timing.duration = duration;
-        }
+        timing.duration = match sweep.time {
+            AutoOr::Given(duration) => duration,
+            // What is compared is simulated.
+            AutoOr::Auto => timing.duration.max(sweep.data.compared_until()),
+        };
         Ok(Self {
             index,
             values,

@@ -90,6 +90,12 @@ impl Data {
         Some(speeds.fold(0.0, |most: f64, speed| most.max(speed.abs())))
     }
 
+    /// The time until which a case is held against a recording, s; 0 without one.
+    pub fn compared_until(&self) -> f64 {
+        let ends = self.comparisons.iter().map(|comparison| comparison.to);
+        ends.fold(0.0, f64::max)
+    }
+
     /// What results depend on of all this, if there is any.
     pub fn meaning(&self) -> Option<impl Serialize + use<'_>> {
         let recordings = (self.surface_speed.iter()).chain(

@@ -209,7 +209,9 @@ fn is_table(rows: &[(f64, f64)]) -> Result<(), RockError> {
 
 fn inside(rows: &[(f64, f64)], value: f64, unit: &'static str) -> Result<(), RockError> {
     let (from, to) = (rows[0].0, rows[rows.len() - 1].0);
-    if (from..=to).contains(&value) {
+    // Of weights in other units the last digit is that of rounding.
+    let rounding = 4.0 * f64::EPSILON * to;
+    if (from - rounding..=to + rounding).contains(&value) {
         Ok(())
     } else {
         Err(RockError::OutsideTable {
