@@ -205,7 +205,7 @@ pub static COLUMNS: &[ResultColumn] = &[
     number(
         "axial_rest_fraction",
         "",
-        "Share of the closing window in which the bit turns and does not go down",
+        "Share of the closing window in which the bit turns and rests on its flats, going neither down nor up",
         |row| row.axial().map(|it| it.at_rest).into(),
     )
     .of(Motion::Axial)

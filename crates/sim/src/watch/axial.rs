@@ -43,7 +43,7 @@ pub struct AxialMeasures {
     pub part_of_steady: Option<f64>,
     /// Part of the time off bottom.
     pub off_bottom: f64,
-    /// Part of the time in which the bit turned and did not go down.
+    /// Part of the time in which the bit turned and rested on its flats, going neither down nor up.
     pub at_rest: f64,
     /// Part of the time in which it turned back.
     pub turns_back: f64,
@@ -182,13 +182,14 @@ impl CutWatch {
             let stops = self.last_rate > 0.0 && !goes_down && cut.speed > 0.0;
             self.stops += usize::from(stops);
             self.off_bottom += usize::from(!cut.touches);
-            self.at_rest += usize::from(!goes_down && cut.speed > 0.0);
+            let rests = cut.touches && cut.rate == 0.0 && cut.speed > 0.0;
+            self.at_rest += usize::from(rests);
             self.turns_back += usize::from(cut.speed < 0.0);
             self.advance += cut.rate;
             self.turned += cut.speed;
             self.weight += cut.weight;
             self.peak_weight = self.peak_weight.max(cut.weight);
-            self.peak_depth_of_cut = self.peak_depth_of_cut.max(cut.depth_of_cut);
+            self.peak_depth_of_cut = self.peak_depth_of_cut.max(cut.deepest_cut);
         }
         self.shocks.see(cut.rate, self.step >= self.closing_from);
         self.last_rate = cut.rate;
@@ -284,6 +285,13 @@ mod tests {
         let found = regime(|step| cutting(if step % 4 == 0 { 0.0 } else { 0.01 }));
         assert_eq!(found.regime, AxialRegime::AxialChatter);
         assert_eq!(found.at_rest, 0.25);
+        // What rises or flies does not rest; the deepest blade tells how deep one cuts.
+        let rises = regime(|step| CutStep {
+            touches: step % 8 != 0,
+            deepest_cut: 2e-3,
+            ..cutting(if step % 4 == 0 { -0.01 } else { 0.01 })
+        });
+        assert_eq!((rises.at_rest, rises.peak_depth_of_cut), (0.0, 2e-3));
         // What stops because the bit sticks does not.
         let sticks = regime(|step| CutStep {
             speed: if step % 4 == 0 { 0.0 } else { 10.0 },

@@ -56,6 +56,8 @@ pub(super) struct Advance {
     pub(super) cut_change: f64,
     /// δ, the mean of all blades, m.
     pub(super) depth_of_cut: f64,
+    /// δ of the blade that cuts deepest, m.
+    pub(super) deepest_cut: f64,
     /// The most that the flats could carry at this depth, N, and how it changes.
     pub(super) most_on_flats: f64,
     pub(super) most_change: f64,
@@ -112,6 +114,9 @@ impl Grip {
             cut: mean(gaps, |gap| (gap.depth + advance).max(0.0)),
             cut_change,
             depth_of_cut: mean(gaps, |gap| gap.depth + advance),
+            deepest_cut: (gaps.iter())
+                .map(|gap| gap.depth + advance)
+                .fold(f64::NEG_INFINITY, f64::max),
             most_on_flats: mean(gaps, |gap| self.on_flats(gap.depth + advance)),
             most_change: self.growth_left(gaps, advance) * cut_change,
             touches: weight > 0.0 || gaps.iter().any(|gap| gap.depth + advance >= 0.0),

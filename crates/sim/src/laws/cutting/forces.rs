@@ -50,6 +50,7 @@ impl Trial {
             rate,
             weight,
             depth_of_cut,
+            deepest_cut,
             touches,
             ..
         } = self.advance;
@@ -59,6 +60,7 @@ impl Trial {
             torque: self.torque,
             weight,
             depth_of_cut,
+            deepest_cut,
             touches,
             angle: place.angle + axial.within * self.speed,
             depth: place.depth + axial.within * rate,

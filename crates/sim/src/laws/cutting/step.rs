@@ -27,6 +27,8 @@ pub struct CutStep {
     pub weight: f64,
     /// Depth of cut of a blade, the mean of all, m; negative off bottom.
     pub depth_of_cut: f64,
+    /// Depth of cut of the blade that cuts deepest, m.
+    pub deepest_cut: f64,
     /// Whether any blade touches rock.
     pub touches: bool,
     /// φ where the law is met, rad.
