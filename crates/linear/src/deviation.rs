@@ -33,14 +33,16 @@
 use num_complex::Complex64;
 
 use crate::assembly::lanes::Lanes;
+use crate::assembly::working_bytes;
 use crate::bending::{Bending, SurfaceSupport};
+use crate::budget::Need;
 use crate::channel::Channel;
 use crate::drillstring::{Drillstring, StringId};
 use crate::error::{BuildError, ResponseError};
 use crate::estimates::{largest_undershoot, torsional_travel_time, undershoot_time};
-use crate::filters::quadrature::{Sampling, series};
+use crate::filters::quadrature::{Sampling, buffers, series};
 use crate::pulse::RaisedCosine;
-use crate::responses::length::{MOST_TAPS, too_many};
+use crate::responses::length::{MOST_TAPS, too_many, transformable};
 use crate::responses::{ChannelResponses, Responses};
 use crate::sites::Sites;
 use crate::waves::inversion::time_responses;
@@ -75,23 +77,39 @@ pub fn exact_undershoot(string: &Drillstring) -> Result<f64, BuildError> {
     Ok(largest_undershoot(&train_at_bit(string)?.1))
 }
 
+/// Memory that [`exact_undershoot`] takes; none where it is refused.
+pub fn undershoot_need(string: &Drillstring) -> Need {
+    lattice_at_bit(string).map_or(Need::default(), |(_, impulses)| {
+        let buffers = buffers(transformable(impulses), 1, Sampling::Wide);
+        Need::passing(buffers.need(working_bytes(1, 1)).peak)
+    })
+}
+
 /// Speeds of the bit after a unit impulse of torque there, one after each travel time of a piece
 /// of the lattice, until the largest undershoot is behind; and that time, s.
 pub(crate) fn train_at_bit(string: &Drillstring) -> Result<(f64, Vec<f64>), BuildError> {
-    let lattice = Lattice::new(string, &Sites::bit())?;
-    let impulses = (undershoot_time(string) / lattice.step).ceil();
-    if impulses > MOST_TAPS as f64 {
-        return Err(too_many(impulses));
-    }
+    let (lattice, impulses) = lattice_at_bit(string)?;
     let mut trains = series(
-        impulses as usize,
+        transformable(impulses),
         1,
         Sampling::Wide,
         &|zeta: Lanes, response: &mut [Lanes]| {
             response[0] = lattice.admittance(zeta).from_torque[(0, 0)];
         },
     );
-    Ok((lattice.step, trains.swap_remove(0)))
+    let mut train = trains.swap_remove(0);
+    train.truncate(impulses);
+    Ok((lattice.step, train))
+}
+
+/// The lattice of a string, and the impulses on it until the largest undershoot is behind.
+fn lattice_at_bit(string: &Drillstring) -> Result<(Lattice, usize), BuildError> {
+    let lattice = Lattice::new(string, &Sites::bit())?;
+    let impulses = (undershoot_time(string) / lattice.step).ceil();
+    if impulses > MOST_TAPS as f64 {
+        return Err(too_many(impulses));
+    }
+    Ok((lattice, impulses as usize))
 }
 
 /// How the sites of a string truly move, in one channel, at times that the responses at one
