@@ -124,6 +124,25 @@ fn shapes_of_elements_that_fill_the_memory_are_refused() {
     assert!(simulated.errors.contains(place), "{simulated:?}");
 }
 
+/// Modes need no responses, and are said without them.
+#[test]
+fn modes_take_no_memory_of_responses() {
+    let text = with(SMALL, "time_s = 12", "time_s = 1000000");
+    let place = Workplace::with_small(&text);
+    let inspect = ["inspect", "small.toml", "--modes=3", "--memory", "1G"];
+    let answer = place.sweep(&inspect);
+    assert_eq!(answer.code, 0, "{answer:?}");
+    let warning = "warning: responses are left out: small.toml:4: `time_s`: would take";
+    assert!(answer.errors.starts_with(warning), "{answer:?}");
+    place.write("small.toml", SMALL);
+    let with_responses = place.sweep(&inspect);
+    let modes = |output: &str| {
+        let modes = output.split("\nmethods\n").next().unwrap();
+        modes.to_owned()
+    };
+    assert_eq!(modes(&answer.output), modes(&with_responses.output));
+}
+
 #[test]
 fn responses_longer_than_any_method_gives_are_refused() {
     let text = with(SMALL, "rad_m = 10", "rad_m = 0");

@@ -83,7 +83,7 @@ globalThis.document = {
   createElementNS: (_, name) => created(name),
   body: new Element("body"),
 };
-vm.runInThisContext(contentOf("<script>\n"));
+vm.runInThisContext(contentOf("<script>"));
 
 const started = Date.now();
 while (!document.body.dataset.shown) {

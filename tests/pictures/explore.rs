@@ -25,6 +25,16 @@ fn a_page_is_one_small_file_with_the_case_in_it() {
     let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
     assert!(html.len() as u64 <= LARGEST, "{} bytes", html.len());
     assert!(html.contains("sweep simulate 'a small one.toml' --case 2"));
+    // A browser runs no other script, and lets the page fetch nothing.
+    let script = html.split("<script>").nth(1).unwrap();
+    let script = script.split("</script>").next().unwrap();
+    let digest = <sha2::Sha256 as sha2::Digest>::digest(script);
+    let hash = base64::Engine::encode(&base64::engine::general_purpose::STANDARD, digest);
+    let policy = html.split("Content-Security-Policy\" content=\"").nth(1);
+    let policy = policy.unwrap().split('"').next().unwrap();
+    assert!(policy.starts_with("default-src 'none';"), "{policy}");
+    let own = format!("script-src 'sha256-{hash}' 'wasm-unsafe-eval' blob:;");
+    assert!(policy.contains(&own), "{policy}");
     // What is seen without scripts.
     assert!(html.contains("Greatest bit speed (rpm)</td>"));
     let refused = place.sweep(&["explore", "a small one.toml", "--case", "6"]);

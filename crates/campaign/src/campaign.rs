@@ -8,7 +8,9 @@ use thiserror::Error;
 
 use crate::accuracy::{self, SearchProgress};
 use crate::design::{Design, TraceDesign};
-use crate::engine::{CaseError, ChoiceError, Keep, RunOptions, Shard, Survey, Work, survey};
+use crate::engine::{
+    CaseError, ChoiceError, Keep, RunOptions, Shard, Survey, Work, setting_of, survey,
+};
 use crate::follow::ChosenCases;
 use crate::memory::Limit;
 use crate::plan::Sweep;
@@ -92,9 +94,12 @@ impl Campaign {
     /// A look at every case before any is run.
     ///
     /// # Errors
-    /// Where a case is refused, or an impulse of it is not felt.
+    /// Where a case is refused, an impulse of it is not felt, or the string of every case is invalid.
     pub fn survey(&self) -> Result<Survey, SurveyError> {
         let survey = survey(&self.sweep)?;
+        if survey.impossible_strings == self.sweep.design.strings() {
+            setting_of(&self.sweep, 0)?;
+        }
         if let Some((case, end)) = survey.first_end {
             self.sweep.impulses_are_felt(case, end)?;
         }
@@ -213,7 +218,7 @@ pub enum SurveyError {
     /// One makes no sense.
     #[error(transparent)]
     Case(#[from] CaseError),
-    /// An impulse is not felt.
+    /// An impulse is not felt, or no case has a valid string.
     #[error(transparent)]
     File(#[from] SweepFileError),
 }

@@ -36,7 +36,9 @@ impl RunSystems {
         if !(sweep.design.varies_string() || options.allow_unstable) {
             refuse_unstable(&methods)?;
         }
-        compare_fronts(&mut methods);
+        if memory.compares_fronts {
+            compare_fronts(&mut methods);
+        }
         Ok(Self { methods, memory })
     }
 

@@ -33,7 +33,9 @@
 use num_complex::Complex64;
 
 use crate::assembly::lanes::Lanes;
+use crate::assembly::working_bytes;
 use crate::bending::{Bending, SurfaceSupport};
+use crate::budget::Need;
 use crate::channel::Channel;
 use crate::drillstring::{Drillstring, StringId};
 use crate::error::{BuildError, ResponseError};
@@ -41,9 +43,9 @@ use crate::estimates::{
     largest_undershoot, torsional_decay_rate, torsional_period, torsional_travel_time,
     torsional_wave_survives_to, undershoot_time,
 };
-use crate::filters::quadrature::{Sampling, series};
+use crate::filters::quadrature::{Sampling, buffers, series};
 use crate::pulse::RaisedCosine;
-use crate::responses::length::{MOST_TAPS, too_many};
+use crate::responses::length::{MOST_TAPS, too_many, transformable};
 use crate::responses::{ChannelResponses, Responses};
 use crate::sites::Sites;
 use crate::waves::inversion::time_responses;
@@ -76,13 +78,7 @@ const TIMES: usize = 128;
 /// # Errors
 /// Where the lattice of so strongly damped a string would not fit in memory.
 pub fn exact_undershoot(string: &Drillstring) -> Result<f64, BuildError> {
-    let time = undershoot_time(string);
-    if string.loss().has_memory() {
-        return exact_undershoot_within(string, time);
-    }
-    let most = MOST_PERIODS * torsional_period(string);
-    let rings = (LITTLE_DECAY / torsional_decay_rate(string)).min(most);
-    exact_undershoot_within(string, time.max(rings))
+    exact_undershoot_within(string, watched_time(string))
 }
 
 /// Δ of Eq. 75 as it is, rad/s per N m, within a time after the step of torque, s.
@@ -90,18 +86,32 @@ pub fn exact_undershoot(string: &Drillstring) -> Result<f64, BuildError> {
 /// # Errors
 /// Where the lattice of so strongly damped a string would not fit in memory.
 pub fn exact_undershoot_within(string: &Drillstring, time: f64) -> Result<f64, BuildError> {
-    let longest_piece = match string.loss().has_memory() {
-        true => {
-            let affordable = time * string.tubes().count() as f64 / MOST_EVALUATED;
-            affordable.max(front_time(string) / PIECES_PER_FRONT)
-        }
-        false => f64::INFINITY,
-    };
-    let lattice = Lattice::of_pieces(string, &Sites::bit(), longest_piece)?;
+    let lattice = smearing_lattice(string, time)?;
     Ok(largest_undershoot(&train(&lattice, time)?))
 }
 
-/// How much of an exponent decay takes within the time in which a string of little damping is watched.
+/// Memory that [`exact_undershoot`] takes; none where it is refused.
+pub fn undershoot_need(string: &Drillstring) -> Need {
+    undershoot_need_within(string, watched_time(string))
+}
+
+/// Memory that [`exact_undershoot_within`] takes; none where it is refused.
+pub fn undershoot_need_within(string: &Drillstring, time: f64) -> Need {
+    smearing_lattice(string, time).map_or(Need::default(), |lattice| need(&lattice, time))
+}
+
+/// The time in which the bit swings back furthest, s, or twenty periods if only constants take anything, and
+/// little.
+fn watched_time(string: &Drillstring) -> f64 {
+    let time = undershoot_time(string);
+    if string.loss().has_memory() {
+        return time;
+    }
+    let most = MOST_PERIODS * torsional_period(string);
+    time.max((LITTLE_DECAY / torsional_decay_rate(string)).min(most))
+}
+
+/// The part of an exponent that decay takes within the time in which a string of little damping is watched.
 const LITTLE_DECAY: f64 = 0.25;
 
 /// Periods of the slowest vibration in which it is watched at most.
@@ -113,6 +123,19 @@ const PIECES_PER_FRONT: f64 = 64.0;
 
 /// The most pieces, of all tubes, that are evaluated for it: some seconds.
 const MOST_EVALUATED: f64 = 4e6;
+
+/// A lattice fine enough for what loss makes of fronts, as long as its pieces through a time (s) are not too
+/// many.
+fn smearing_lattice(string: &Drillstring, time: f64) -> Result<Lattice, BuildError> {
+    let longest_piece = match string.loss().has_memory() {
+        true => {
+            let affordable = time * string.tubes().count() as f64 / MOST_EVALUATED;
+            affordable.max(front_time(string) / PIECES_PER_FRONT)
+        }
+        false => f64::INFINITY,
+    };
+    Ok(Lattice::of_pieces(string, &Sites::bit(), longest_piece)?)
+}
 
 /// The time over which loss that grows with frequency smears a front in a round trip, s.
 fn front_time(string: &Drillstring) -> f64 {
@@ -128,20 +151,42 @@ pub(crate) fn train_at_bit(string: &Drillstring) -> Result<(f64, Vec<f64>), Buil
     Ok((lattice.step, train))
 }
 
+/// Memory that [`train_at_bit`] takes; none where it is refused.
+pub(crate) fn train_need(string: &Drillstring) -> Need {
+    let lattice = Lattice::new(string, &Sites::bit());
+    lattice.map_or(Need::default(), |it| need(&it, undershoot_time(string)))
+}
+
+/// Speeds of the bit after a unit impulse of torque there through a time, s.
 fn train(lattice: &Lattice, time: f64) -> Result<Vec<f64>, BuildError> {
-    let impulses = (time / lattice.step).ceil();
-    if impulses > MOST_TAPS as f64 {
-        return Err(too_many(impulses));
-    }
+    let impulses = impulses(lattice, time)?;
     let mut trains = series(
-        impulses as usize,
+        transformable(impulses),
         1,
         Sampling::Wide,
         &|zeta: Lanes, response: &mut [Lanes]| {
             response[0] = lattice.admittance(zeta).from_torque[(0, 0)];
         },
     );
-    Ok(trains.swap_remove(0))
+    let mut train = trains.swap_remove(0);
+    train.truncate(impulses);
+    Ok(train)
+}
+
+fn need(lattice: &Lattice, time: f64) -> Need {
+    impulses(lattice, time).map_or(Need::default(), |impulses| {
+        let buffers = buffers(transformable(impulses), 1, Sampling::Wide);
+        Need::passing(buffers.need(working_bytes(1, 1)).peak)
+    })
+}
+
+/// Impulses on a lattice through a time, s.
+fn impulses(lattice: &Lattice, time: f64) -> Result<usize, BuildError> {
+    let impulses = (time / lattice.step).ceil();
+    if impulses > MOST_TAPS as f64 {
+        return Err(too_many(impulses));
+    }
+    Ok(impulses as usize)
 }
 
 /// How the sites of a string truly move, in one channel, at times that the responses at one

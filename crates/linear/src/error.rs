@@ -324,6 +324,18 @@ pub enum BuildError {
         /// The most that are kept.
         most: usize,
     },
+    /// The waves of a string take more steps of its lattice than are kept.
+    #[error(
+        "waves take {impulses:.1e} steps of the lattice of this string in the time simulated, and \
+         {most} are kept: give a shorter `time_s`, or another method, as \
+         `methods = [\"quadrature\"]`"
+    )]
+    TooManyImpulses {
+        /// Steps needed.
+        impulses: f64,
+        /// The most that are kept.
+        most: usize,
+    },
     /// A loss that depends on frequency is no part of [`crate::elements::reduction`].
     #[error(
         "condensed elements take no viscosity of the mud and no loss factor: step them as they \

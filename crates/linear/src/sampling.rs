@@ -29,7 +29,8 @@
 
 mod merged;
 
-use crate::deviation::train_at_bit;
+use crate::budget::Need;
+use crate::deviation::{train_at_bit, train_need};
 use crate::drillstring::Drillstring;
 use crate::error::{BuildError, DrillstringError};
 use crate::estimates::{
@@ -174,6 +175,11 @@ pub fn steps_at(string: &Drillstring, frequency: f64) -> f64 {
     let steps = frequency * torsional_travel_time(string);
     // Rounding does not turn a whole number into the next.
     (steps - 1e-9).ceil().max(1.0)
+}
+
+/// Memory that [`frequency_for_fronts`] takes.
+pub fn need_for_fronts(string: &Drillstring) -> Need {
+    merged(string).map_or(Need::default(), |string| train_need(&string))
 }
 
 /// The sampling frequency (Hz) that the torsion of a string with a torque at the bit needs.

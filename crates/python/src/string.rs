@@ -167,7 +167,10 @@ impl Drillstring {
             Ok(budget.need())
         });
         match memory {
-            Err(BuildError::TooManyTaps { taps, .. }) => {
+            Err(
+                BuildError::TooManyTaps { taps, .. }
+                | BuildError::TooManyImpulses { impulses: taps, .. },
+            ) => {
                 return Err(refused(format_args!(
                     "these responses are too long: {taps:.3e} steps"
                 )));

@@ -58,6 +58,33 @@ fn an_annotation_is_at_the_line_of_the_label_that_differs() {
     assert_eq!(lines[1], format!("{name}: 5 of 6 labels as expected"));
 }
 
+/// GitHub follows a command on any line of the output, a terminal what follows an escape.
+#[test]
+#[cfg(unix)]
+fn the_name_of_a_reference_is_no_command() {
+    let name = "a\n::error::\u{1b}[31m.csv";
+    let (place, _) = with_a_difference(name);
+    for reference in [name, "none\n ::error::\u{1b}[31m.csv"] {
+        for format in ["human", "github", "junit", "json"] {
+            let check = ["check", "small.toml", reference, "--format", format];
+            for more in [&[][..], &["--output", "out.txt"]] {
+                let answer = place.sweep(&[&check[..], more].concat());
+                for text in [&answer.output, &answer.errors] {
+                    let mut lines = text.lines().map(str::trim_start);
+                    let is_at_file = |line: &str| line.starts_with("::error file=");
+                    assert!(
+                        lines.all(|line| !line.starts_with("::") || is_at_file(line)),
+                        "{text}"
+                    );
+                    assert!(!text.contains('\u{1b}'), "{text}");
+                }
+            }
+            assert!(!text(&place, "out.txt").contains('\u{1b}'));
+            std::fs::remove_file(place.path("out.txt")).unwrap();
+        }
+    }
+}
+
 #[test]
 fn no_annotation_where_nothing_differs() {
     let place = with_reference();

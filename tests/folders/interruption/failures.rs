@@ -76,3 +76,19 @@ fn a_dry_run_counts_the_strings_and_the_invalid_ones() {
         assert!(answer.output.contains(words), "{answer:?}");
     }
 }
+
+/// It was run into 100 % failed cases, in about inf days.
+#[test]
+fn a_sweep_whose_strings_are_all_invalid_is_refused() {
+    let mud = "[mud]\ndensity_kg_m3 = 1200\n\n[design]\n";
+    let text = with(SMALL, "[design]\n", mud);
+    let axis = "[design.axes]\nmud_viscosity_cp = { values = [10, 20] }\n";
+    let place = Workplace::with_small(&with(&text, "[design.axes]\n", axis));
+    for more in [&[][..], &["--dry-run"]] {
+        let answer = place.sweep(&[&["run", "small.toml"], more].concat());
+        assert_eq!(answer.code, 2, "{answer:?}");
+        assert!(answer.errors.contains("small.toml:"), "{answer:?}");
+        assert!(answer.errors.contains("`mud.viscosity_cp`: "), "{answer:?}");
+        assert!(!place.path("results").exists());
+    }
+}

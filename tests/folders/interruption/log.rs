@@ -1,6 +1,10 @@
 //! Logs that are torn, damaged, or of something else.
 
 use crate::crc32::crc32;
+#[cfg(unix)]
+use crate::interruption::long;
+#[cfg(unix)]
+use crate::interruption::signals::{self, start, wait_for_rows};
 use crate::interruption::{finishes, same_tables, short};
 use crate::support::{Workplace, with};
 
@@ -152,4 +156,26 @@ fn a_changed_sweep_does_not_continue_and_a_changed_title_does() {
     assert!(before == std::fs::read(place.path("results/labels.csv")).unwrap());
     let map = std::fs::read_to_string(place.path("results/map.svg")).unwrap();
     assert!(map.contains("Renamed"));
+}
+
+/// It ended as complete, with the rows that came later.
+#[test]
+#[cfg(unix)]
+fn a_log_that_is_emptied_under_a_run_is_noticed() {
+    let place = Workplace::with_small(&long());
+    let run = start(&place, &signals::RUN);
+    wait_for_rows(&place, "stopped", 6);
+    place.write("stopped/cases.log", "");
+    let output = run.wait_with_output().unwrap();
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{errors}");
+    assert!(errors.contains("cases.log was emptied"), "{errors}");
+    assert!(errors.contains("nothing is kept in stopped"), "{errors}");
+    assert!(!place.path("stopped/manifest.json").exists());
+    std::fs::remove_file(place.path("stopped/cases.log")).unwrap();
+    let again = finishes(&place, &[&signals::RUN[..], &["--dry-run"]].concat());
+    assert!(
+        again.output.contains("600 of 600 simulations left"),
+        "{again:?}"
+    );
 }

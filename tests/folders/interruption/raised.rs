@@ -1,6 +1,6 @@
 //! More random cases: what is done stays, and the result is that of a fresh run.
 
-use std::io::Read;
+use std::io::{Read, Write};
 
 use crate::interruption::{logged, same_tables};
 use crate::support::{Answer, SMALL, Workplace, small_with_design, with};
@@ -262,6 +262,48 @@ fn records_that_are_not_what_was_written_are_not_raised() {
     files.remove("records.jsonl.gz").unwrap();
     place.write("results/manifest.json", manifest.to_string());
     refused("results holds no records.jsonl.gz, from which it could continue");
+}
+
+/// With checksums that say nothing of it, as who changes records on purpose writes them.
+#[test]
+fn records_that_no_run_has_written_are_refused() {
+    let place = Workplace::new();
+    run(&place, 40, "results", &[]);
+    let file = std::fs::File::open(place.path("results/records.jsonl.gz")).unwrap();
+    let mut records = String::new();
+    flate2::read::GzDecoder::new(file)
+        .read_to_string(&mut records)
+        .unwrap();
+    let (first, others) = records.split_once("\"values\":[").unwrap();
+    let rest = others.split_once(',').unwrap().1;
+    let fewer = format!("{first}\"values\":[{rest}");
+    let longer = format!("{first}\"values\":[{}{others}", "0,".repeat(1 << 23));
+    place.write("small.toml", random(90));
+    for (tampered, why) in [
+        (fewer, "case 0 has 2 values, and the number of axes is 3"),
+        (longer, "line 1 is longer than any record"),
+    ] {
+        let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+        encoder.write_all(tampered.as_bytes()).unwrap();
+        let content = encoder.finish().unwrap();
+        let manifest = std::fs::read(place.path("results/manifest.json")).unwrap();
+        let mut manifest: serde_json::Value = serde_json::from_slice(&manifest).unwrap();
+        let digest = <sha2::Sha256 as sha2::Digest>::digest(&content);
+        let sha256: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        manifest["files"]["records.jsonl.gz"] =
+            serde_json::json!({ "bytes": content.len(), "sha256": sha256 });
+        place.write("results/records.jsonl.gz", content);
+        place.write("results/manifest.json", manifest.to_string());
+        for command in [
+            &["analyse", "results"][..],
+            &["run", "small.toml", "--quiet", "--out", "results"],
+        ] {
+            let answer = place.sweep(command);
+            assert_eq!(answer.code, 1, "{answer:?}");
+            assert!(answer.errors.contains(why), "{answer:?}");
+        }
+        let _ = std::fs::remove_file(place.path("results/cases.log"));
+    }
 }
 
 /// A line of it is a record, whose numbers are those of the case to the last bit.

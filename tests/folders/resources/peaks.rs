@@ -4,6 +4,8 @@
 use std::process::Stdio;
 use std::time::Duration;
 
+use numerics::random::Stream;
+
 use crate::resources::lateral;
 use crate::support::{CUTTING, SMALL, Workplace, small_with_design, with};
 
@@ -18,6 +20,11 @@ pub fn estimate(place: &Workplace, command: &str) -> f64 {
     let answer = place.sweep(&[command, "small.toml", "--memory", "1M"]);
     let reported = answer.errors.split("would take ").nth(1);
     size(reported.unwrap_or_else(|| panic!("{answer:?}")))
+}
+
+/// What a dry run says, bytes.
+fn said(output: &str) -> f64 {
+    size(output.split("memory: at most ").nth(1).unwrap())
 }
 
 /// The amount of memory that a text begins with, bytes.
@@ -166,8 +173,7 @@ fn a_run_that_sees_dependences_takes_no_more_memory_than_it_says() {
         let place = Workplace::with_small(&text);
         let run = ["run", "small.toml", "--out", "out", "--memory", "100G"];
         let answer = place.sweep(&[&run[..], &["--dry-run"]].concat());
-        let said = answer.output.split("memory: at most ").nth(1).unwrap();
-        let said = size(said);
+        let said = said(&answer.output);
         let peak = peak(&place, &run);
         let manifest = std::fs::read_to_string(place.path("out/manifest.json")).unwrap();
         assert!(
@@ -199,4 +205,99 @@ fn a_fine_mesh_takes_no_more_memory_than_its_limit() {
         "time_s = 2",
     );
     holds("run", &(bending + elements));
+}
+
+/// A number between two, by its logarithm.
+fn drawn(stream: &mut Stream, [least, most]: [f64; 2]) -> f64 {
+    least * f64::powf(most / least, stream.part())
+}
+
+/// A string of a few sections below a light drive that is held weakly or strongly, in a hole that
+/// rubs, in mud, or in neither.
+fn random_drive_and_well(number: u64) -> String {
+    let mut stream = Stream::new(74, number);
+    let mut draw = |ends| drawn(&mut stream, ends);
+    let [method, frequency, drive, well] = [(); 4].map(|()| draw([1.0, 3.999]) as usize);
+    let method = ["quadrature", "held", "finite-element"][method - 1];
+    let frequency = [
+        "",
+        "sampling_frequency_hz = 60\n",
+        "sampling_frequency_hz = 300\n",
+    ][frequency - 1];
+    let sections: String = (0..2)
+        .map(|_| {
+            let outer = draw([0.06, 0.12]);
+            format!(
+                "[[string.sections]]\nrepeat = {:.0}\nparts = [{{ length_m = {:.3}, \
+                 inner_radius_m = {:.4}, outer_radius_m = {outer:.4} }}]\n",
+                draw([3.0, 10.0]),
+                draw([10.0, 30.0]),
+                draw([0.4, 0.8]) * outer
+            )
+        })
+        .collect();
+    let gains = format!(
+        "[top_drive]\ninertia_kg_m2 = {}\ncontroller = \"gains\"\n\
+         proportional_gain_knms_rad = {}\nintegral_gain_knm_rad = {}\n",
+        draw([20.0, 500.0]),
+        draw([0.02, 10.0]),
+        draw([0.002, 1.0])
+    );
+    let limit = "torque_limit_kn_m = 50\nsaturates = true\n";
+    let limited = gains.clone() + limit;
+    let drive = ["", &gains, &limited][drive - 1];
+    let rubs = "[well]\ninclination_deg = 40\n[string_friction]\nstatic_coefficient = 0.2\n\
+                dynamic_ratio = 0.8\npieces = 8\n";
+    let mud = "[well]\nhole_diameter_mm = 311\n[mud]\ndensity_kg_m3 = 1200\nviscosity_cp = 20\n";
+    let well = ["", mud, rubs][well - 1];
+    let damping = draw([0.05, 10.0]);
+    format!(
+        "surface_speed_rpm = 60\nstart = \"ramp\"\ntime_s = 5\nmethods = [\"{method}\"]\n{frequency}\
+         [string]\nshear_modulus_gpa = 80\ndensity_kg_m3 = 7840\n\
+         torsional_damping_nms_rad_m = {damping}\n{sections}\
+         [bit]\ntorque_dynamic_nm = 1000\n{drive}{well}"
+    )
+}
+
+/// A light drive below weak gains takes minutes to settle, and its lattice has millions of steps until
+/// then, by which fronts are compared; of a long file what was read counts.
+#[test]
+fn no_random_drive_well_or_file_takes_more_memory_than_is_said() {
+    let sites = |site: usize| format!("[[sites]]\ndistance_from_bit_m = {}\n", 0.004 * site as f64);
+    let long = (1..12_000).map(sites).collect::<String>() + "[design]\n";
+    let long = with(SMALL, "[design]\n", &long);
+    let texts = (0..6).map(random_drive_and_well);
+    let mut compared = 0;
+    for text in texts.chain([long]) {
+        let place = Workplace::with_small(&text);
+        let run = [
+            "run",
+            "small.toml",
+            "--out",
+            "out",
+            "--fresh",
+            "--allow-unstable",
+        ];
+        let answer =
+            |limit: &str| place.sweep(&[&run[..], &["--dry-run", "--memory", limit]].concat());
+        let least = answer("1M").errors;
+        let Some(least) = least.split("would take ").nth(1).map(size) else {
+            continue;
+        };
+        // With room for the cases alone, and with some for what is optional.
+        for limit in [format!("{}", least + MIB), "200M".to_owned()] {
+            let answer = answer(&limit);
+            if answer.code == 2 || least > 200.0 * MIB {
+                continue;
+            }
+            let said = said(&answer.output);
+            let peak = peak(&place, &[&run[..], &["--memory", &limit]].concat());
+            assert!(
+                peak.is_none_or(|peak| peak <= said),
+                "{peak:?} {said}\n{text}"
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared > 6, "{compared}");
 }

@@ -105,3 +105,18 @@ fn a_stopped_plot_or_report_leaves_nothing() {
     succeeds(&place, &RUN);
     assert_eq!(left(&place, "results"), [""; 0]);
 }
+
+/// What a killed command was writing goes with the next file that is written there.
+#[test]
+fn what_a_killed_command_left_is_removed_by_any_that_writes() {
+    let place = with_results();
+    for command in [
+        &["simulate", "small.toml", "--case", "0", "--out", "results"][..],
+        &["inspect", "small.toml", "--out", "results"],
+        &["plot", "results"],
+    ] {
+        place.write("results/.tmp-sweep-Ab12Cd", "half");
+        succeeds(&place, command);
+        assert_eq!(left(&place, "results"), [""; 0], "{command:?}");
+    }
+}

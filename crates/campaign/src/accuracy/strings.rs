@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use anyhow::{Result, anyhow, bail};
 use linear::budget::Need;
-use linear::deviation::{ExactMotions, exact_undershoot};
+use linear::deviation::{ExactMotions, exact_undershoot, undershoot_need};
 use linear::estimates::{largest_undershoot, torsional_travel_time};
 use linear::waves::lattice::Lattice;
 use linear::{ImpulseTrains, Method, parallel};
@@ -145,6 +145,7 @@ impl<'a> Strings<'a> {
         }
         let stepped = Need::lasting(parallel::threads() as f64 * case);
         let bytes = held + self.memory_of_trains() + systems.then(stepped).peak;
+        let bytes = bytes.max(self.memory_of_fronts());
         if bytes > self.limit.bytes {
             let (size, limit) = (Size(bytes), self.limit);
             bail!("is too large for the memory: {size}, more than {limit}; --memory changes that");
@@ -198,14 +199,32 @@ impl<'a> Strings<'a> {
         trains.map(ImpulseTrains::bytes).sum()
     }
 
+    /// Whether Eq. 74 is the limit of its cases: no wall, bit that cuts, or free bit.
+    fn has_fronts(&self) -> bool {
+        let setting = &self.sweep.setting;
+        setting.lateral.is_none() && setting.cutting.is_none() && self.sweep.bit.is_some()
+    }
+
+    /// Memory that [`Self::exact_undershoots`] takes, bytes.
+    fn memory_of_fronts(&self) -> f64 {
+        if !self.has_fronts() {
+            return 0.0;
+        }
+        let settings = (self.cases.iter())
+            .filter_map(|&case| self.sweep.setting_at(&self.sweep.design.values(case)).ok());
+        let needs = settings.map(|setting| undershoot_need(&setting.string).peak);
+        let at_once = parallel::threads().min(self.cases.len());
+        at_once as f64 * needs.fold(0.0, f64::max)
+    }
+
     /// Δ of Eq. 75 of every string as it is, rad/s per N m; empty with a wall, where limits depend
-    /// on more than that, above a bit that cuts, and without a bit.
+    /// on more than that, above a bit that cuts, without a bit, and where memory is too small, which
+    /// [`Self::fits`] refuses.
     ///
     /// # Errors
     /// Where a string cannot be cut into a lattice.
     pub fn exact_undershoots(&self) -> Result<Vec<f64>> {
-        let setting = &self.sweep.setting;
-        if setting.lateral.is_some() || setting.cutting.is_some() || self.sweep.bit.is_none() {
+        if !self.has_fronts() || self.memory_of_fronts() > self.limit.bytes {
             return Ok(Vec::new());
         }
         let of_string = |string: usize| {

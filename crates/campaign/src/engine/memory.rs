@@ -117,7 +117,10 @@ impl StringMemory {
                 case,
                 ..Self::default()
             },
-            Err(BuildError::TooManyTaps { taps, .. }) => Self {
+            Err(
+                BuildError::TooManyTaps { taps, .. }
+                | BuildError::TooManyImpulses { impulses: taps, .. },
+            ) => Self {
                 too_long: Some(taps),
                 ..Self::default()
             },

@@ -115,6 +115,7 @@ fn usual_frequency(demand: &mut Demand) {
         setting.sampling_frequency = setting.sampling_frequency.min(usual);
         setting.whirl_rate = None;
     }
+    demand.choosing = 0.0;
 }
 
 fn usual_sites(demand: &mut Demand) {
@@ -268,6 +269,7 @@ mod tests {
             methods: sweep.methods.clone(),
             strings: vec![(sweep.setting.clone(), 30.0)],
             mesh: FiniteElement::default(),
+            choosing: 0.0,
         };
         let before = &sweep.setting.string;
         for (change, cells, damping) in [

@@ -3,9 +3,12 @@
 use anyhow::Result;
 use linear::Method;
 use linear::budget::Need;
+use linear::deviation::undershoot_need_within;
 use linear::elements::reconstruction::WholeString;
+use linear::estimates::undershoot_time;
 use linear::method::FiniteElement;
 use linear::parallel::threads;
+use linear::sampling::need_for_fronts;
 use sim::Trajectory;
 use sim::laws::cutting::CutStep;
 
@@ -14,6 +17,7 @@ use crate::dependence;
 use crate::design::Design;
 use crate::engine::{StringMemory, Survey, setting_of, whole_string};
 use crate::plan::{Setting, Sweep};
+use crate::sweep_file::AutoOr;
 
 /// Bytes of a mebibyte.
 const MIB: f64 = 1024.0 * 1024.0;
@@ -28,6 +32,9 @@ const PICTURE: f64 = 48.0 * MIB;
 const SITE_SHOWN: f64 = 4.0 * MIB;
 const CASE_SHOWN: f64 = 12.0 * MIB;
 const SHAPE_SHOWN: f64 = 1.5 * MIB;
+
+/// What reading a sweep file takes for each of its bytes: of `[[sites]]`, which are short, the most.
+const READ: f64 = 75.0;
 
 /// What the allocator takes for every byte, some of it freed and not yet given back.
 const ALLOCATOR: f64 = 1.1;
@@ -83,6 +90,8 @@ pub struct Demand<'a> {
     pub strings: Vec<(Setting, f64)>,
     /// The mesh of the whole string, where its shape is to be shown.
     pub mesh: FiniteElement,
+    /// Bytes taken to choose the sampling frequency, where the file gives none.
+    pub choosing: f64,
 }
 
 /// What a command is going to take.
@@ -92,6 +101,8 @@ pub struct Estimate {
     pub bytes: f64,
     /// Distinct strings to build at once.
     pub strings_at_once: usize,
+    /// Whether there is room to compare fronts with the exact ones.
+    pub compares_fronts: bool,
     /// Whether there is room to simulate some cases again, to see what labels depend on.
     pub sees_dependences: bool,
 }
@@ -127,6 +138,12 @@ impl<'a> Demand<'a> {
             methods: sweep.methods.clone(),
             strings,
             mesh: sweep.content.method.finite_element,
+            choosing: match (sweep.content.sampling_frequency_hz, &setting.friction) {
+                (AutoOr::Auto, None) if sweep.bit.is_some() => {
+                    need_for_fronts(&sweep.setting.string).peak
+                }
+                _ => 0.0,
+            },
         })
     }
 
@@ -144,7 +161,8 @@ impl<'a> Demand<'a> {
             times = times.max(string.times);
             too_long = too_long.or(string.too_long);
         }
-        let bytes = self.own() + ALLOCATOR * systems.then(self.use_of(case, times)).peak;
+        let work = systems.then(self.use_of(case, times)).peak;
+        let bytes = self.own() + ALLOCATOR * work.max(self.choosing);
         Cost { bytes, too_long }
     }
 
@@ -161,7 +179,8 @@ impl<'a> Demand<'a> {
             Design::List(_) => LISTED * cases,
             _ => 0.0,
         };
-        PROGRAM + THREAD * threads() as f64 + picture + noted + listed
+        let read = READ * self.sweep.source.bytes() as f64;
+        PROGRAM + THREAD * threads() as f64 + picture + noted + listed + read
     }
 
     /// What the largest picture of histories takes, one part for each that it shows.
@@ -238,17 +257,35 @@ impl<'a> Demand<'a> {
         let fits = |count: &usize| self.cost(*count).bytes <= limit.bytes;
         let strings_at_once = (1..=most).rev().find(fits).unwrap_or(1);
         let bytes = self.cost(strings_at_once).bytes;
-        let dependences = self.bytes_of_dependences();
-        let sees_dependences = bytes + dependences <= limit.bytes;
+        let fronts = self.bytes_with_fronts();
+        let compares_fronts = fronts <= limit.bytes;
+        let dependences = bytes + self.bytes_of_dependences();
+        let sees_dependences = dependences <= limit.bytes;
+        let optional = [(compares_fronts, fronts), (sees_dependences, dependences)];
+        let taken = optional.into_iter().filter(|(fits, _)| *fits);
         Estimate {
-            bytes: if sees_dependences {
-                bytes + dependences
-            } else {
-                bytes
-            },
+            bytes: taken.map(|(_, bytes)| bytes).fold(bytes, f64::max),
             strings_at_once,
+            compares_fronts,
             sees_dependences,
         }
+    }
+
+    /// Memory taken while fronts of the string are compared with the exact ones, next to its
+    /// systems; nothing where no torque at the bit makes fronts.
+    fn bytes_with_fronts(&self) -> f64 {
+        let (setting, longest) = &self.strings[0];
+        let compares = matches!(self.purpose, Purpose::Labels | Purpose::Look);
+        if !compares || self.sweep.bit.is_none() || setting.friction.is_some() {
+            return 0.0;
+        }
+        let string = StringMemory::of(self.sweep, setting, &self.methods, *longest);
+        // A method may reach its undershoot as late as its response ends.
+        let time = undershoot_time(&setting.string).max(*longest);
+        let need = string
+            .systems
+            .then(undershoot_need_within(&setting.string, time));
+        self.own() + ALLOCATOR * need.peak
     }
 
     /// What it takes in the end to see what labels depend on, in addition to what is there by then.

@@ -101,6 +101,20 @@ impl Record {
         outcome.map_or_else(|_| Verdict::default(), |it| verdict(it, self.above_limit))
     }
 
+    /// Refuses values that are not one for each axis of the design, as no run writes them.
+    ///
+    /// # Errors
+    /// Which case it is.
+    pub fn check_values(&self, axes: usize) -> Result<(), Failure> {
+        let (case, values) = (self.case, self.values.len());
+        if values == axes {
+            return Ok(());
+        }
+        Err(Failure::new(format!(
+            "case {case} has {values} values, and the number of axes is {axes}"
+        )))
+    }
+
     /// Of a case without an answer.
     pub fn failed(case: usize, method: usize, values: Vec<f64>, reason: Failure) -> Self {
         Self {

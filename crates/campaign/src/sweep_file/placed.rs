@@ -23,8 +23,38 @@ pub struct KeyPlaces {
     own: Place,
     /// The key as it was written, where that is in other units.
     written: Option<String>,
-    keys: BTreeMap<String, KeyPlaces>,
+    keys: Keys,
     items: Vec<KeyPlaces>,
+}
+
+/// The keys of a table in the order of their names: of thousands of small tables, as `[[sites]]` are,
+/// a tree would take a kilobyte each.
+#[derive(Debug, Clone, Default)]
+struct Keys(Vec<(String, KeyPlaces)>);
+
+impl Keys {
+    fn find(&self, name: &str) -> Result<usize, usize> {
+        self.0.binary_search_by(|(key, _)| key.as_str().cmp(name))
+    }
+
+    fn get(&self, name: &str) -> Option<&KeyPlaces> {
+        self.find(name).ok().map(|place| &self.0[place].1)
+    }
+
+    fn get_mut(&mut self, name: &str) -> Option<&mut KeyPlaces> {
+        self.find(name).ok().map(|place| &mut self.0[place].1)
+    }
+
+    fn insert(&mut self, name: String, places: KeyPlaces) {
+        match self.find(&name) {
+            Ok(place) => self.0[place].1 = places,
+            Err(place) => self.0.insert(place, (name, places)),
+        }
+    }
+
+    fn remove(&mut self, name: &str) -> Option<KeyPlaces> {
+        self.find(name).ok().map(|place| self.0.remove(place).1)
+    }
 }
 
 /// A table with the places of its values.
@@ -32,7 +62,7 @@ pub struct KeyPlaces {
 pub struct Placed {
     /// The values.
     pub table: toml::Table,
-    places: BTreeMap<String, KeyPlaces>,
+    places: Keys,
 }
 
 impl Placed {
@@ -135,10 +165,7 @@ impl KeyPlaces {
 }
 
 /// What a path begins with, its name, and the rest of the path. A key may have a dot in it.
-fn key_of<'p, 'a>(
-    keys: &'p BTreeMap<String, KeyPlaces>,
-    path: &'a str,
-) -> Option<(&'p KeyPlaces, &'a str, &'a str)> {
+fn key_of<'p, 'a>(keys: &'p Keys, path: &'a str) -> Option<(&'p KeyPlaces, &'a str, &'a str)> {
     let ends = path.match_indices(['.', '[']).map(|(end, _)| end);
     ends.chain([path.len()])
         .find_map(|end| Some((keys.get(&path[..end])?, &path[..end], &path[end..])))
@@ -200,7 +227,7 @@ impl Layer<'_> {
         let mut places = KeyPlaces {
             own: self.place(value.span().start),
             written: None,
-            keys: BTreeMap::new(),
+            keys: Keys::default(),
             items: Vec::new(),
         };
         let value = match value.get_ref() {

@@ -3,6 +3,7 @@
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use serde::de::DeserializeOwned;
 use toml::Spanned;
@@ -37,7 +38,8 @@ pub use crate::text_file::TextOf;
 /// The merged table of a sweep file and its bases.
 #[derive(Debug, Clone)]
 pub struct Source {
-    merged: Placed,
+    /// Shared by copies of a sweep.
+    merged: Arc<Placed>,
     files: Vec<PathBuf>,
     /// Their bytes.
     size: u64,
@@ -59,7 +61,7 @@ impl Source {
     /// Where a file cannot be read or is not TOML, or the bases go in a circle.
     pub fn read(path: &Path, text_of: TextOf) -> Result<Self, SweepFileError> {
         let mut source = Self {
-            merged: Placed::default(),
+            merged: Arc::default(),
             files: Vec::new(),
             size: 0,
         };
@@ -69,13 +71,15 @@ impl Source {
 
     /// Puts a value in place of what the files say at a key of their top level.
     pub fn put(&mut self, key: &str, value: toml::Value) {
-        self.merged.remove(key);
-        self.merged.table.insert(key.to_owned(), value);
+        Arc::make_mut(&mut self.merged).remove(key);
+        Arc::make_mut(&mut self.merged)
+            .table
+            .insert(key.to_owned(), value);
     }
 
     /// Puts a value into a table, as if it stood where another key of it does.
     pub fn put_next_to(&mut self, table: &str, neighbour: &str, key: &str, value: toml::Value) {
-        self.merged.put_next_to(table, neighbour, key, value);
+        Arc::make_mut(&mut self.merged).put_next_to(table, neighbour, key, value);
     }
 
     /// What the files say at a key of a table, where they say anything.
@@ -86,6 +90,11 @@ impl Source {
     /// The same, where it is a text.
     pub fn text_at(&self, table: &str, key: &str) -> Option<String> {
         self.value_at(table, key)?.as_str().map(str::to_owned)
+    }
+
+    /// Bytes of the sweep file and its bases.
+    pub fn bytes(&self) -> u64 {
+        self.size
     }
 
     /// Whether the files give a key of their top level.
@@ -281,12 +290,12 @@ impl Source {
                     let message = format!("conflicts with `{other}`: give only one");
                     return Err(unusable(Some(line), Some(key.get_ref()), message));
                 }
-                [Some(_), None] => self.merged.remove_in(table, other),
-                [None, Some(_)] => self.merged.remove_in(table, one),
+                [Some(_), None] => Arc::make_mut(&mut self.merged).remove_in(table, other),
+                [None, Some(_)] => Arc::make_mut(&mut self.merged).remove_in(table, one),
                 [None, None] => {}
             }
         }
-        self.merged
+        Arc::make_mut(&mut self.merged)
             .lay_over(given, file, &lines)
             .map_err(|Twice { line, key, other }| {
                 let message = format!("says the same as `{other}`; give one of them");

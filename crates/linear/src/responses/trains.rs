@@ -130,7 +130,8 @@ impl<'a> TrainsPlan<'a> {
         let size = (different.len(), working_bytes(sites, 1));
         let on_lattice = on_lattice(request, &lattice);
         let loss = loss_per_step(string, Scheme::Lattice, on_lattice.sampling_frequency);
-        let rounds = Rounds::new(string, &on_lattice, (held::SAMPLING, loss), size)?;
+        let rounds = Rounds::new(string, &on_lattice, (held::SAMPLING, loss), size);
+        let rounds = rounds.map_err(on_its_lattice)?;
         Ok(Self {
             rounds,
             at_a_time: rounds.within(AT_A_TIME),
@@ -250,7 +251,8 @@ impl<'a> TrainsPlan<'a> {
         };
         let built = rounds.build(budget, |impulses, sampling| {
             quadrature::series(impulses, places.len(), sampling, &response)
-        })?;
+        });
+        let built = built.map_err(on_its_lattice)?;
         Ok(Built {
             ending: match built.ending {
                 // Nothing makes fronts on a lattice smoother.
@@ -259,6 +261,17 @@ impl<'a> TrainsPlan<'a> {
             },
             ..built
         })
+    }
+}
+
+/// The error of trains that are too long, whose steps no sampling frequency makes longer.
+fn on_its_lattice(error: BuildError) -> BuildError {
+    match error {
+        BuildError::TooManyTaps { taps, most } => BuildError::TooManyImpulses {
+            impulses: taps,
+            most,
+        },
+        error => error,
     }
 }
 

@@ -66,6 +66,8 @@ impl AtomicFile {
             Ok(match destination(path)? {
                 Destination::Stream(stream) => Writer::Stream(BufWriter::new(stream)),
                 Destination::File(name) => {
+                    // What a killed command has left there goes, whichever it was.
+                    let _ = remove_left(folder_of(&name));
                     let file = temporary::temporary(folder_of(&name))?;
                     Writer::File(name, BufWriter::new(file))
                 }

@@ -21,6 +21,8 @@ pub(super) struct RecordedRows {
     certifying: Option<[usize; 2]>,
     /// Where the values of the axes that are wanted are among those of a record.
     places: Vec<(Axis, Option<usize>)>,
+    /// Axes of the design, each with a value in every record.
+    axes: usize,
     measures: Vec<Measure>,
     misfits: usize,
 }
@@ -58,6 +60,7 @@ impl RecordedRows {
             methods: names.into_iter().map(str::to_owned).collect(),
             certifying,
             places: axes.iter().map(|axis| (*axis, own(axis))).collect(),
+            axes: manifest.axes.len(),
             measures: measures.to_vec(),
             misfits,
         })
@@ -99,6 +102,7 @@ impl RecordedRows {
     }
 
     fn row(&self, line: usize, record: &Record, certified: Option<Labels>) -> Result<LabelRow> {
+        record.check_values(self.axes)?;
         let outcome = record.outcome.as_ref();
         let labels = outcome.map(Outcome::labels).unwrap_or_default();
         let certainty =

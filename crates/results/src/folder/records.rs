@@ -2,7 +2,7 @@
 //! with more cases begins with them.
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Write};
+use std::io::{self, BufRead, BufReader, ErrorKind, Read, Write};
 use std::path::Path;
 
 use anyhow::{Context, Result};
@@ -63,6 +63,9 @@ impl RecordWriter {
     }
 }
 
+/// A longer line is no record, bytes: a compressed file of some megabytes may hold one of gigabytes.
+const LONGEST_RECORD: u64 = 1 << 22;
+
 /// The lines of the records of a folder; only a few are in memory at a time.
 ///
 /// # Errors
@@ -71,6 +74,20 @@ pub fn read_records(folder: &Path) -> Result<impl Iterator<Item = Result<String>
     let path = folder.join(RECORDS);
     let cannot_be_read = unreadable(&path);
     let file = File::open(&path).with_context(|| cannot_be_read.clone())?;
-    let lines = BufReader::new(GzDecoder::new(BufReader::new(file))).lines();
-    Ok(lines.map(move |line: io::Result<String>| line.with_context(|| cannot_be_read.clone())))
+    let mut reader = BufReader::new(GzDecoder::new(BufReader::new(file)));
+    let mut number = 0;
+    let mut next_line = move || -> io::Result<Option<String>> {
+        let mut line = String::new();
+        number += 1;
+        reader.by_ref().take(LONGEST_RECORD).read_line(&mut line)?;
+        if line.len() as u64 == LONGEST_RECORD {
+            let message = format!("line {number} is longer than any record");
+            return Err(io::Error::new(ErrorKind::InvalidData, message));
+        }
+        let ends = line.is_empty();
+        line.truncate(line.trim_end_matches('\n').len());
+        Ok((!ends).then_some(line))
+    };
+    let lines = std::iter::from_fn(move || next_line().transpose()).fuse();
+    Ok(lines.map(move |line| line.with_context(|| cannot_be_read.clone())))
 }

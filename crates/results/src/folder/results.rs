@@ -52,8 +52,12 @@ impl<'a> TableWriter<'a> {
     /// Adds the rows of whole cases, which come after those of earlier ones.
     ///
     /// # Errors
-    /// Where they cannot be written.
+    /// Where they cannot be written, or are of another design.
     pub fn add(&mut self, records: &[Record]) -> Result<()> {
+        let axes = self.about.manifest.axes.len();
+        for record in records {
+            record.check_values(axes)?;
+        }
         let certainties = self.table.certainties(records);
         let blocks = certainties.chunks(ROWS_AT_ONCE);
         for (records, certainties) in records.chunks(ROWS_AT_ONCE).zip(blocks) {

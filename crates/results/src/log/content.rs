@@ -14,8 +14,9 @@ use campaign::records::Record;
 /// Cases whose records are put in order at once, in memory.
 const CASES_PER_BLOCK: usize = 1 << 14;
 
-/// Lines that all threads together parse at once.
+/// Lines that all threads together parse at once, and their bytes, but for the last.
 const LINES_AT_ONCE: usize = 1 << 12;
+const BYTES_AT_ONCE: usize = 1 << 24;
 
 /// How much a log holds.
 #[derive(Debug, Clone, Copy, Default)]
@@ -133,12 +134,13 @@ impl LogView {
     /// block of whole cases at a time, so that no more is in memory.
     ///
     /// # Errors
-    /// Where the log cannot be read, or what `each` returned.
+    /// Where the log cannot be read or has lost records since it was opened, or what `each` returned.
     pub fn in_order(
         &self,
         mut each: impl FnMut(&[Record]) -> anyhow::Result<()>,
     ) -> anyhow::Result<()> {
         let unreadable = |error| file_error(&self.path, "read", error);
+        let mut given = 0;
         for (block, range) in self.blocks.iter().enumerate() {
             let Some((from, to)) = *range else { continue };
             let is_of_block = |record: &Record| {
@@ -148,10 +150,12 @@ impl LogView {
             let mut scan = Scan::between(&self.file, from, to).map_err(unreadable)?;
             loop {
                 lines.clear();
-                while lines.len() < LINES_AT_ONCE {
+                let mut bytes = 0;
+                while lines.len() < LINES_AT_ONCE && bytes < BYTES_AT_ONCE {
                     let Some(line) = scan.next_line().map_err(unreadable)? else {
                         break;
                     };
+                    bytes += line.text.len();
                     lines.push(line.text.to_vec());
                 }
                 if lines.is_empty() {
@@ -162,9 +166,20 @@ impl LogView {
             }
             records.sort_by_key(|record| (record.case, record.method));
             records.dedup_by_key(|record| (record.case, record.method));
+            given += records.len();
             each(&records)?;
         }
+        if given != self.counts.done {
+            return Err(LogError::Changed(self.path.clone()).into());
+        }
         Ok(())
+    }
+
+    /// Whether the file still has its name and every line that was read or written.
+    pub(super) fn is_whole(&self) -> bool {
+        let [named, open] = [std::fs::metadata(&self.path), self.file.metadata()];
+        let lengths = [named, open].map(|found| found.map_or(0, |found| found.len()));
+        lengths.iter().all(|length| *length >= self.end)
     }
 }
 

@@ -30,6 +30,9 @@ pub enum LogError {
         /// Its format.
         format: u64,
     },
+    /// Records that were in it are gone.
+    #[error("{0} was emptied, replaced or damaged by another program, and records in it are lost")]
+    Changed(PathBuf),
     /// It cannot be read or written.
     #[error("{path} cannot be {what}: {error}")]
     File {

@@ -154,18 +154,24 @@ impl Log {
     /// Puts what is written on the disk.
     ///
     /// # Errors
-    /// Where that fails.
+    /// Where that fails, or other programs have taken records away.
     pub fn sync(&self) -> Result<(), LogError> {
         self.state().sync()
     }
 
+    /// Pairs that are done and in the file; none where other programs have changed that.
+    pub fn kept(&self) -> Option<usize> {
+        let content = &self.state().content;
+        content.is_whole().then_some(content.counts.done)
+    }
+
     /// For the end of the program while cases are under way: nothing is added any
-    /// more, `tell` hears how many pairs are done, and they are put on the disk.
-    pub fn close(&self, tell: impl FnOnce(usize)) {
+    /// more, all is put on the disk, and `tell` hears how many pairs are kept.
+    pub fn close(&self, tell: impl FnOnce(Option<usize>)) {
         let mut state = self.state();
-        tell(state.content.counts.done);
-        // The program ends whether this succeeds or not.
-        let _ = state.sync();
+        let kept = state.sync().ok().map(|()| state.content.counts.done);
+        // The program ends.
+        tell(kept);
         std::mem::forget(state);
     }
 
@@ -190,7 +196,11 @@ impl State {
     fn sync(&mut self) -> Result<(), LogError> {
         self.synced = Instant::now();
         let synced = self.content.file.sync_data();
-        synced.map_err(|error| self.unwritable(error))
+        synced.map_err(|error| self.unwritable(error))?;
+        match self.content.is_whole() {
+            true => Ok(()),
+            false => Err(LogError::Changed(self.content.path.clone())),
+        }
     }
 
     /// Writes a line at the end; where the log then ends.

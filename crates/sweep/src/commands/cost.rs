@@ -46,6 +46,16 @@ pub enum WallTime {
     Refused(anyhow::Error),
 }
 
+impl WallTime {
+    /// The time that a probe extrapolates to, s, which is a number only where it stepped a case.
+    fn from_seconds(seconds: f64) -> Self {
+        match seconds.is_finite() {
+            true => Self::About(seconds),
+            false => Self::Unknown,
+        }
+    }
+}
+
 /// What a sweep costs, in words: the memory it takes at most, the limit on that, and
 /// its time.
 pub fn cost_lines(memory: &Estimate, limit: &Limit, time: &WallTime) -> String {
@@ -138,7 +148,7 @@ pub fn probe(
     });
     loop {
         match receive.recv_timeout(GLANCE) {
-            Ok(Ok(pace)) => return WallTime::About(pace.seconds(sweep, simulations)),
+            Ok(Ok(pace)) => return WallTime::from_seconds(pace.seconds(sweep, simulations)),
             Ok(Err(reason)) => return WallTime::Refused(reason),
             Err(RecvTimeoutError::Timeout) if start.elapsed() < PROBE && !stops() => {}
             Err(_) => return WallTime::Unknown,
@@ -153,7 +163,7 @@ pub fn of_built(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem], built:
         building: built,
         stepping,
     };
-    WallTime::About(pace.seconds(sweep, sweep.design.likely_cases() * sweep.methods.len()))
+    WallTime::from_seconds(pace.seconds(sweep, sweep.design.likely_cases() * sweep.methods.len()))
 }
 
 fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pace> {

@@ -9,9 +9,31 @@ use serde_json::json;
 use crate::cli::{Command, LogFormat};
 use campaign::printable::{printable, printable_json};
 
-/// Prints lines to standard output. A reader who has seen enough
-/// (`sweep inspect FILE | head -1`) is no error, and no reason to panic.
+/// A text in which no line is a command of a GitHub workflow, which follows those in the output of
+/// any program, be it in the name of a file.
+fn without_commands(text: &str) -> String {
+    let lines = text.split_inclusive('\n');
+    let plain = lines.map(|line| match line.trim_start().starts_with("::") {
+        true => line.replacen("::", "\\u{3a}:", 1),
+        false => line.to_owned(),
+    });
+    plain.collect()
+}
+
+/// Prints lines to standard output.
+///
+/// # Errors
+/// Where it cannot be written.
 pub fn say(text: &str) -> Result<()> {
+    say_commands(&without_commands(text))
+}
+
+/// Prints lines, commands of a GitHub workflow among them, to standard output. A reader who has seen
+/// enough (`sweep inspect FILE | head -1`) is no error, and no reason to panic.
+///
+/// # Errors
+/// Where it cannot be written.
+pub fn say_commands(text: &str) -> Result<()> {
     let mut output = std::io::stdout().lock();
     match output
         .write_all(printable(text).as_bytes())
@@ -48,7 +70,7 @@ impl Terminal {
         if self.is_json() {
             self.tell(&json!({ "event": "message", "text": line }));
         } else {
-            let _ = writeln!(std::io::stderr(), "{}", printable(line));
+            let _ = writeln!(std::io::stderr(), "{}", printable(&without_commands(line)));
         }
     }
 

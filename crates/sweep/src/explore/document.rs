@@ -18,7 +18,7 @@ use serde_json::json;
 
 use super::controls::Control;
 use super::whirl::{self, LimitLine};
-use crate::report::{Table, escaped, shown, table};
+use crate::report::{Table, escaped, policy, shown, table};
 
 const STYLE: [&str; 3] = [
     include_str!("../report/page.css"),
@@ -85,9 +85,11 @@ pub fn page(explored: &Explored) -> Result<String> {
     let still = still(explored);
     let engine = STANDARD.encode(ENGINE);
     let scripts = SCRIPTS.concat();
+    let policy = policy(&scripts);
     let program = escaped(crate::program::PROGRAM);
     Ok(format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n\
          <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>\n{style}</style>\n\
@@ -96,7 +98,7 @@ pub fn page(explored: &Explored) -> Result<String> {
          <footer><p>Made by {program}.</p></footer>\n\
          <script type=\"application/json\" id=\"data\">{data}</script>\n\
          <script type=\"text/plain\" id=\"engine\">{engine}</script>\n\
-         <script>\n{scripts}</script>\n</body>\n</html>\n"
+         <script>{scripts}</script>\n</body>\n</html>\n"
     ))
 }
 

@@ -36,7 +36,7 @@ pub use document::Table;
 pub use escaping::escaped;
 pub use html::table;
 pub use live_map::shown;
-pub use page::{is_page, page};
+pub use page::{is_page, page, policy};
 pub use results::Results;
 pub use sections::sections;
 pub use summary::SummaryFound;

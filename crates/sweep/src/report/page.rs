@@ -32,7 +32,7 @@ pub fn page(title: &str, sections: &[Section], all: &[Results]) -> String {
          <title>{title}</title>\n<style>\n{STYLE}{MAP_STYLE}</style>\n</head>\n<body>\n\
          {DEFINITIONS}\
          <header><h1>{title}</h1></header>\n<nav aria-label=\"Sections\">\n<ul>\n",
-        policy(),
+        policy(SCRIPT),
         title = escaped(title)
     );
     for (index, (title, _)) in sections.iter().enumerate() {
@@ -51,10 +51,10 @@ pub fn page(title: &str, sections: &[Section], all: &[Results]) -> String {
     html + &format!("{MADE_BY}{program}.</p></footer>\n</body>\n</html>\n")
 }
 
-/// What a browser lets the page do: run its own script, and the engine in a worker made of it;
-/// and fetch nothing.
-fn policy() -> String {
-    let hash = STANDARD.encode(Sha256::digest(SCRIPT));
+/// Content-Security-Policy of a page: a browser runs its own script, and the engine in a worker made
+/// of it, and fetches nothing.
+pub fn policy(script: &str) -> String {
+    let hash = STANDARD.encode(Sha256::digest(script));
     format!(
         "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; \
          style-src 'unsafe-inline'; script-src 'sha256-{hash}' \

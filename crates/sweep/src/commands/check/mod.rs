@@ -18,12 +18,13 @@ use super::listed::Listed;
 use super::margin::margin_of;
 use super::outputs::{Output, refuse_to_lose};
 use super::status::Status;
-use super::terminal::{Terminal, say};
+use super::terminal::{Terminal, say, say_commands};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::{CheckArguments, CheckFormat};
 use campaign::Campaign;
 use campaign::plan::Sweep;
+use campaign::printable::printable;
 use campaign::records::Record;
 use comparison::{FoundRecords, compare};
 use junit::junit_of_error;
@@ -46,9 +47,10 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
             CheckFormat::Json => document("check", &json!({ "error": message }))?,
         };
         match &arguments.output.output {
-            Some(file) => write_atomically(file, text.as_bytes())?,
+            Some(file) => write_atomically(file, printable(&text).as_bytes())?,
             // It is on standard error.
             None if matches!(format, CheckFormat::Human | CheckFormat::Json) => {}
+            None if format == CheckFormat::Github => say_commands(&text)?,
             None => say(&text)?,
         }
     }
@@ -98,12 +100,14 @@ fn compare_labels(arguments: &CheckArguments, terminal: Terminal) -> Result<Stat
         margin: margin_of(&arguments.reference)?,
         compared: &compared,
     };
-    let text = report.in_format(arguments.output.format())?;
+    let format = arguments.output.format();
+    let text = report.in_format(format)?;
     match &arguments.output.output {
         Some(file) => {
-            write_atomically(file, text.as_bytes())?;
+            write_atomically(file, printable(&text).as_bytes())?;
             say(&report.for_people())?;
         }
+        None if format == CheckFormat::Github => say_commands(&text)?,
         None => say(&text)?,
     }
     let differs = report.different().next().is_some();

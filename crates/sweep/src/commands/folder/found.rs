@@ -10,6 +10,7 @@ use super::owned_files::OwnedFiles;
 use super::raise::with_our_number;
 use crate::commands::status::UsageError;
 use campaign::design::Design;
+use campaign::engine::pairs_of;
 use campaign::plan::Sweep;
 use results::folder::{Manifest, differences};
 use results::log::{Header, LogError, Place};
@@ -62,7 +63,7 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
             Place::Free | Place::Torn => {}
         }
         if folder.join(MANIFEST).exists() {
-            return complete(folder, header);
+            return complete(folder, header, sweep);
         }
     }
     let with_map = header.shard.is_whole() && sweep.map.is_some();
@@ -71,18 +72,24 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
     Ok(FolderState::Nothing(owned))
 }
 
-fn complete(folder: &Path, header: &Header) -> Result<FolderState> {
+fn complete(folder: &Path, header: &Header, sweep: &Sweep) -> Result<FolderState> {
     let manifest = Manifest::read(folder)?;
     let there = header_of(&manifest)?;
     let what = format!("{} holds the results of", folder.display());
     refuse_other(&what, &with_our_number(&what, &there, header)?, header)?;
     refuse_lost(&manifest, folder)?;
     let manifest = Box::new(manifest);
-    Ok(if there.fingerprint == header.fingerprint {
-        FolderState::Complete(manifest)
-    } else {
-        FolderState::Fewer(manifest)
-    })
+    if there.fingerprint != header.fingerprint {
+        return Ok(FolderState::Fewer(manifest));
+    }
+    let (rows, all) = (manifest.tally.rows, pairs_of(sweep, header.shard));
+    if rows != all && !manifest.is_trace() {
+        bail!(
+            "{} holds {rows} of {all} rows: begin anew with --fresh, or choose another --out",
+            folder.display()
+        );
+    }
+    Ok(FolderState::Complete(manifest))
 }
 
 /// The header that the log of finished results had.

@@ -78,7 +78,10 @@ impl Inspection<'_> {
             optional(self.motor.as_ref().map(|motor| motor.words(units))),
             optional(self.modes.as_ref().map(|modes| modes.words(units))),
             "\nmethods\n".to_owned(),
-            methods.collect(),
+            match self.methods.is_empty() {
+                true => "  left out: their responses are too large\n".to_owned(),
+                false => methods.collect(),
+            },
             "\nleft out, because the scene does not need it\n".to_owned(),
             left_out.collect(),
             optional((!self.how_often_wrong.is_empty()).then(|| {

@@ -16,11 +16,13 @@ mod top_drive;
 mod well;
 mod work;
 
+use std::path::Path;
 use std::time::Instant;
 
-use anyhow::Result;
+use anyhow::{Error, Result};
+use linear::BuildError;
 
-use super::cost::of_built;
+use super::cost::{WallTime, of_built};
 use super::document::say_document;
 use super::drawing::{Drawing, panels_csv};
 use super::folder::{make_folder, results_folder};
@@ -33,8 +35,9 @@ use super::warnings::{warn_of_fronts, warn_of_limits, warn_of_sweep};
 use crate::cli::InspectArguments;
 use axial_force::InspectedForce;
 use campaign::Campaign;
-use campaign::engine::{add_finer, compare_fronts};
-use campaign::memory::{Demand, Purpose, admit};
+use campaign::engine::{MethodSystem, Survey, add_finer, compare_fronts};
+use campaign::memory::{Demand, Limit, Purpose, admit};
+use campaign::plan::Sweep;
 use campaign::static_string::StaticString;
 use clearances::clearances_of_hole;
 use found::Inspection;
@@ -69,30 +72,36 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     warn_of_limits(sweep, terminal);
     let folder = results_folder(arguments.out.as_ref(), sweep);
     let survey = survey_cases(&arguments.file, &campaign)?;
-    // Those that a run builds.
-    let setting = sweep.setting.for_labels();
     let limit = arguments.work.memory.limit();
-    admit(sweep, &setting, &survey, Purpose::Look, &limit)?;
-    let start = Instant::now();
-    let systems = build_systems(&arguments.file, sweep, &setting, survey.longest)?;
-    let mut systems = add_finer(systems, sweep, survey.longest)?;
-    let built = start.elapsed().as_secs_f64();
-    compare_fronts(&mut systems);
+    let bit = arguments.bit.map(Into::into);
+    let at_rest = StaticString::of(&sweep.setting, &sweep.under_greatest_weight(), bit);
+    let (systems, time) = match build_responses(&arguments.file, sweep, &survey, &limit) {
+        Ok((systems, built)) => {
+            let time = of_built(sweep, &survey, &systems, built);
+            (systems, time)
+        }
+        // Modes and the string at rest need none.
+        Err(Unbuilt::TooLarge(error)) if at_rest.is_some() || arguments.modes.is_some() => {
+            terminal.complain(&format!("warning: responses are left out: {error:#}"));
+            (Vec::new(), WallTime::Refused(error))
+        }
+        Err(Unbuilt::TooLarge(error) | Unbuilt::Other(error)) => return Err(error),
+    };
     warn_of_fronts(sweep, &systems, terminal);
+    let setting = sweep.setting.for_labels();
     let memory = Demand::of(sweep, &setting, &survey, Purpose::Labels)?.within(&limit);
-    let time = of_built(sweep, &survey, &systems, built);
     make_folder(&folder)?;
     let look = &drawing.look;
-    let responses = response_panels(sweep, &systems)?;
-    drawing.save(
-        &folder,
-        "inspect",
-        &response_picture(look, sweep, &responses),
-    )?;
-    write_atomically(&folder.join("inspect.csv"), &panels_csv(&responses)?)?;
-    let drive = DriveView::of(&sweep.setting.string, sweep.setting.drive_limit)?;
     let shown = |name: &str| folder.join(drawing.shown(name)).display().to_string();
-    let mut pictures = vec![shown("inspect")];
+    let mut pictures = Vec::new();
+    if !systems.is_empty() {
+        let responses = response_panels(sweep, &systems)?;
+        let picture = response_picture(look, sweep, &responses);
+        drawing.save(&folder, "inspect", &picture)?;
+        write_atomically(&folder.join("inspect.csv"), &panels_csv(&responses)?)?;
+        pictures.push(shown("inspect"));
+    }
+    let drive = DriveView::of(&sweep.setting.string, sweep.setting.drive_limit)?;
     if let Some(drive) = &drive {
         let panels = drive.panels();
         drawing.save(
@@ -103,8 +112,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         write_atomically(&folder.join("top_drive.csv"), &panels_csv(&panels)?)?;
         pictures.push(shown("top_drive"));
     }
-    let bit = arguments.bit.map(Into::into);
-    let lying = match StaticString::of(&sweep.setting, &sweep.under_greatest_weight(), bit) {
+    let lying = match at_rest {
         None => None,
         Some(Err(error)) => Some(InspectedLying::Refused {
             error: error.to_string(),
@@ -132,7 +140,9 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         if modes.is_none() {
             write_modes(sweep, MODES_IN_TABLES, orders, &folder)?;
         }
-        write_tables(sweep, &systems, &folder)?;
+        if !systems.is_empty() {
+            write_tables(sweep, &systems, &folder)?;
+        }
     }
     let found = Inspection {
         name: &sweep.name,
@@ -160,4 +170,42 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         say(&found.words(sweep.content.units))?;
     }
     Ok(Status::Complete)
+}
+
+/// Why there are no responses.
+enum Unbuilt {
+    /// They are too long, or would take more memory than is allowed.
+    TooLarge(Error),
+    /// The methods cannot treat the string.
+    Other(Error),
+}
+
+/// The systems by which a run steps its cases, and how long building them took, s.
+fn build_responses(
+    file: &Path,
+    sweep: &Sweep,
+    survey: &Survey,
+    limit: &Limit,
+) -> Result<(Vec<MethodSystem>, f64), Unbuilt> {
+    let setting = sweep.setting.for_labels();
+    let look = admit(sweep, &setting, survey, Purpose::Look, limit).map_err(Unbuilt::TooLarge)?;
+    let start = Instant::now();
+    let systems = build_systems(file, sweep, &setting, survey.longest)
+        .and_then(|systems| add_finer(systems, sweep, survey.longest));
+    let mut systems = systems.map_err(|error| {
+        let mut causes = error.chain().filter_map(|it| it.downcast_ref());
+        let is_too_long = causes.any(|cause| {
+            use BuildError::{TooManyImpulses, TooManyTaps};
+            matches!(cause, TooManyTaps { .. } | TooManyImpulses { .. })
+        });
+        match is_too_long {
+            true => Unbuilt::TooLarge(error),
+            false => Unbuilt::Other(error),
+        }
+    })?;
+    let built = start.elapsed().as_secs_f64();
+    if look.compares_fronts {
+        compare_fronts(&mut systems);
+    }
+    Ok((systems, built))
 }

@@ -47,8 +47,12 @@ struct SoFar {
 }
 
 impl SoFar {
-    fn text(&self, done: usize) -> String {
+    /// The simulations that are kept, and how to continue, where any are.
+    fn text(&self, kept: Option<usize>) -> String {
         let Self { total, place } = self;
+        let Some(done) = kept else {
+            return format!("nothing is kept in {place}: remove its {LOG} and begin anew");
+        };
         let of = total.map_or_else(String::new, |total| format!(" of {total}"));
         format!("{done}{of} simulations are done and kept in {place}: the same command continues")
     }
@@ -99,7 +103,7 @@ impl<'a> Session<'a> {
             let (progress, so_far) = (Arc::clone(&progress), self.so_far.clone());
             move || {
                 progress.finish();
-                log.close(|done| terminal.complain(&format!("stopped: {}", so_far.text(done))));
+                log.close(|kept| terminal.complain(&format!("stopped: {}", so_far.text(kept))));
             }
         });
         let worked = self.simulate_open_cases(&progress);
@@ -163,8 +167,8 @@ impl<'a> Session<'a> {
     pub fn finish(&self) -> Result<Status> {
         stop::before_end({
             let (terminal, so_far) = (self.task.terminal, self.so_far.clone());
-            let done = self.log.counts().done;
-            move || terminal.complain(&format!("stopped: {}", so_far.text(done)))
+            let kept = self.log.kept();
+            move || terminal.complain(&format!("stopped: {}", so_far.text(kept)))
         });
         let finished = self.write_results();
         finished.map_err(|error| self.with_so_far(&error))
@@ -196,6 +200,9 @@ impl<'a> Session<'a> {
         let mut tables = TableWriter::create(&self.about, folder)?;
         self.log.in_order(|records| tables.add(records))?;
         let (tally, files) = tables.finish()?;
+        if let Some(all) = self.so_far.total.filter(|all| *all != tally.rows) {
+            bail!("the tables have {} of {all} rows", tally.rows);
+        }
         let limit = boundary_csv(&self.systems.limit);
         let limit = write_with_checksum(&folder.join("boundary.csv"), limit.as_bytes())?;
         let (shard, systems) = (self.task.header.shard, &self.systems.built.methods);
@@ -213,6 +220,6 @@ impl<'a> Session<'a> {
     }
 
     fn with_so_far(&self, error: &anyhow::Error) -> anyhow::Error {
-        anyhow!("{error:#}; {}", self.so_far.text(self.log.counts().done))
+        anyhow!("{error:#}; {}", self.so_far.text(self.log.kept()))
     }
 }
