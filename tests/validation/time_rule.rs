@@ -14,9 +14,9 @@ use sim::waveguide::{Friction, Waveguide};
 use sim::{Label, LateralRegime, Motion, TorsionRegime};
 use studies::promises::{Begins, Problem};
 
-/// The seed, or `SEED`: one that no rule was made with. Irregular stick-slip is followed because of 73.
+/// The seed, or `SEED`: one that no rule was made with, as 73 and 74 are.
 fn seed() -> u64 {
-    std::env::var("SEED").map_or(74, |text| text.parse().unwrap())
+    std::env::var("SEED").map_or(75, |text| text.parse().unwrap())
 }
 
 /// A string on which the bit sticks eight times, the last time at 19.2 s; its time by rule is 13 s.

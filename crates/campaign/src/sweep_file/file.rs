@@ -145,7 +145,8 @@ pub struct FileContent {
     /// 72–73), one that cuts for a minute; with a wall at least 10 s, and until whirl has faded that
     /// friction does not sustain, which takes light damping up to a minute after the impulses (20 s at
     /// least where the string lies); without either it is 10 s. Where a bit then sticks for ever shorter, or a
-    /// string that lies swings ever less, the case is followed up to nine times as long.
+    /// string that lies swings ever less, the case is followed up to nine times as long; three times where it
+    /// sticks irregularly.
     #[schemars(extend("minimum" = 0.001, "maximum" = 1e6))]
     #[serde(default)]
     pub time_s: AutoOr,

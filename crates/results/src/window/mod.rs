@@ -56,7 +56,7 @@ pub use best::{Best, Room};
 pub use by_axis::by_axis;
 pub use chart::{Chart, Drawn, Limit, WINDOW_COLUMNS};
 pub use error::WindowError;
-pub use how_often_wrong::{how_often_wrong, whirl_when_hit};
+pub use how_often_wrong::how_often_wrong;
 pub use operating::OperatingWindow;
 pub use regions::Region;
 pub use simulated::AXES;

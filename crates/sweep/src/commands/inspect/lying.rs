@@ -6,7 +6,6 @@ use super::rows::row;
 use campaign::quantities::{FORCE, LENGTH, STRESS, TORQUE, Unit, Units};
 use campaign::static_string::{AtRest, Greatest};
 use campaign::words::{counted, wrapped};
-use results::window::whirl_when_hit;
 
 /// Of more contacts that touch only this number, those next to the bit, have a line each.
 const MOST_LINES: usize = 20;
@@ -21,7 +20,7 @@ pub enum InspectedLying {
         #[serde(flatten)]
         at_rest: Box<AtRest>,
         /// Whether whirl lasts, once something triggers it.
-        whirl_if_triggered: String,
+        whirl_if_triggered: &'static str,
     },
     /// It does not, or that is not found.
     Refused {
@@ -35,7 +34,7 @@ impl InspectedLying {
     pub fn at_rest(lying: AtRest) -> Self {
         Self::AtRest {
             at_rest: Box::new(lying),
-            whirl_if_triggered: format!("no bound excludes it; {}", whirl_when_hit()),
+            whirl_if_triggered: "no bound excludes it",
         }
     }
 
