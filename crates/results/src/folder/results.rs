@@ -107,6 +107,9 @@ impl<'a> TableWriter<'a> {
         if let Some(push) = record.wall_push.map(WallPush::as_in_table) {
             (self.tally).add_push(method, push);
         }
+        if let Some(stress) = record.outcome.as_ref().ok().and_then(|it| it.stress) {
+            (self.tally).add_stress(method, stress.von_mises.value);
+        }
         if let Some(found) = &record.found {
             (self.tally).add_found(method, [found.sites.len(), found.rounds]);
         }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 use sim::Label;
 
-use campaign::quantities::Units;
+use campaign::quantities::{STRESS, Units};
 use campaign::records::{Certainty, WallPush};
 
 use campaign::words::counted;
@@ -38,6 +38,9 @@ pub struct Tally {
     /// Pushes into walls, per method, where walls give way.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub wall: BTreeMap<String, WallPushes>,
+    /// Stresses per method, where they are known.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub stress: BTreeMap<String, Stresses>,
     /// Rows without an answer.
     pub failed: usize,
     /// Settled rows that were followed to the end, and those of them whose label
@@ -64,6 +67,20 @@ pub struct WallPushes {
     /// The deepest.
     pub deepest: WallPush,
 }
+
+/// Greatest von Mises stresses by a method, against the least yield of drill pipe (API Spec 5DP).
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Stresses {
+    /// Cases whose stress is known.
+    pub cases: usize,
+    /// Those of them beyond the yield of grade E75.
+    pub beyond_e75: usize,
+    /// Those of them beyond the yield of grade S135, and so of any collar.
+    pub beyond_s135: usize,
+}
+
+/// Least yield of drill pipe of grades E75 and S135, Pa.
+const YIELD: [f64; 2] = [517e6, 931e6];
 
 /// Stalls of the mud motor by a method.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -201,10 +218,39 @@ impl Tally {
         motor.stalled_and_smooth += usize::from(stalled && is_smooth);
     }
 
-    /// Notes on all cases together, in a sentence for each method: walls that would break, mud motors
-    /// that stall, sites that were found.
+    /// Counts the greatest von Mises stress of a case by a method, Pa.
+    pub fn add_stress(&mut self, method: &str, von_mises: f64) {
+        let found = self.stress.entry(method.to_owned()).or_default();
+        let [e75, s135] = YIELD.map(|least| usize::from(von_mises > least));
+        found.cases += 1;
+        found.beyond_e75 += e75;
+        found.beyond_s135 += s135;
+    }
+
+    /// In how many cases steel yields, in a sentence for each method; none where none does.
+    fn stress_words(&self, units: Units) -> impl Iterator<Item = String> {
+        let yields = self.stress.iter().filter(|(_, found)| found.beyond_e75 > 0);
+        let limits = YIELD.map(|least| units.of(&STRESS).text(1e-6 * least, 0));
+        yields.map(move |(method, found)| {
+            let [e75, s135] = &limits;
+            let any = match found.beyond_s135 {
+                0 => String::new(),
+                count => format!(", in {count} beyond {s135}, that of S135 and of any collar"),
+            };
+            format!(
+                "warning: {method}: in {} of {} stress is beyond {e75}, the yield of drill pipe of grade E75{any}: \
+                 the string is no longer elastic there",
+                found.beyond_e75,
+                counted(found.cases, "case")
+            )
+        })
+    }
+
+    /// Notes on all cases together, in a sentence for each method: walls that would break, steel that
+    /// yields, mud motors that stall, sites that were found.
     pub fn notes(&self, units: Units) -> impl Iterator<Item = String> {
         (self.wall_words(units))
+            .chain(self.stress_words(units))
             .chain(self.motor_words())
             .chain(self.found_words())
     }
@@ -319,5 +365,24 @@ impl Tally {
         };
         let lists = Motion::ALL.into_iter().map(|motion| (motion, list(motion)));
         lists.filter(|(_, list)| !list.is_empty()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stress_beyond_yield_is_said_with_the_grade() {
+        let mut tally = Tally::default();
+        let words = |tally: &Tally| tally.notes(Units::default()).collect::<Vec<String>>();
+        tally.add_stress("held", 500e6);
+        assert!(words(&tally).is_empty());
+        tally.add_stress("held", 600e6);
+        assert!(words(&tally)[0].contains("in 1 of 2 cases stress is beyond 517 MPa"));
+        assert!(!words(&tally)[0].contains("S135"));
+        tally.add_stress("held", 940e6);
+        assert!(words(&tally)[0].contains("in 2 of 3 cases"));
+        assert!(words(&tally)[0].contains("in 1 beyond 931 MPa, that of S135"));
     }
 }
