@@ -46,7 +46,7 @@ pub struct StaticString {
     /// The weight on bit from which on it does not stay there.
     leaving: Result<Option<Leaving>, StaticsError>,
     weight_on_bit_kn: f64,
-    /// As cases begin, on their sites alone, where the string at rest may touch between them.
+    /// State with which cases begin, on their sites alone.
     on_sites: Option<StaticState>,
     /// Where the string of cases goes farthest beyond its wall between its sites.
     beyond: Option<BeyondWall>,
@@ -76,7 +76,7 @@ pub struct AtRest {
     pub sites: usize,
     /// How many places may touch here: sites, and with `"ends"` others between them.
     pub places: usize,
-    /// As cases begin, where that differs by more than 1 %.
+    /// State with which cases begin, where that differs by more than 1 %.
     pub in_cases: Option<InCases>,
     /// Those that touch, from the bit up.
     pub contacts: Vec<TouchingSite>,
@@ -222,7 +222,7 @@ impl StaticString {
         Some(setting.resting_string(conditions, bit)?.and_then(view))
     }
 
-    /// As cases begin, where that is not as here.
+    /// State with which cases begin, where that differs from this.
     fn in_cases(&self, to: f64) -> Option<InCases> {
         let on_sites = self.on_sites.as_ref()?;
         let (_, here) = self.state.greatest_moment(to);
@@ -360,7 +360,7 @@ fn spacing(setting: &Setting, conditions: &Conditions) -> Option<f64> {
         let [(section, part), _] = setting.string.parts_around(length - it.depth);
         let tube = setting.string.sections()[section].parts[part];
         let rigidity = lateral.bending.youngs_modulus * tube.second_moment();
-        // Pipe lies on its joints, and blades have a site of their own.
+        // Pipe lies on its joints.
         let clearance = walls.at(it.depth)? + tube.outer_radius - it.radius;
         (clearance > 0.0).then(|| half_wave(rigidity, it.load, clearance))
     });

@@ -5,8 +5,8 @@ use crate::equilibrium::Equilibrium;
 use crate::error::StaticsError;
 use crate::lying::LyingString;
 
-/// Weight grows by this part of itself in a step, and at first by one of so many of that under which the
-/// string buckles between its contacts.
+/// Weight grows by this part of itself in a step, and at first by one of this number of parts of that under
+/// which the string buckles between its contacts.
 const STEP: f64 = 0.05;
 const FIRST_STEPS: f64 = 4000.0;
 
@@ -64,7 +64,7 @@ impl LyingString {
         Ok(self.leaving(most)?.map(|it| it.weight_on_bit))
     }
 
-    /// The same, and how it leaves its place.
+    /// Weight up to one (N), and way, with which the string leaves its place.
     ///
     /// # Errors
     /// As [`Self::snaking_weight`].

@@ -102,7 +102,7 @@ impl Lying {
         self.string_on(&contacts(at.1, lateral, case.0), at, lateral, case)
     }
 
-    /// The same string that may touch besides its sites, too.
+    /// String at rest, which may touch besides its sites, too.
     ///
     /// # Errors
     /// As [`Self::string`].

@@ -126,7 +126,7 @@ impl Setting {
         Some(lying.string((&self.string, &self.sites), lateral, (conditions, bit)))
     }
 
-    /// The same string as it lies at rest, which may touch between its sites, too.
+    /// String as it lies at rest, which may touch between its sites, too.
     ///
     /// # Errors
     /// As [`Self::lying_string`].
