@@ -49,7 +49,7 @@ const DESIGN: &str =
 fn a_string_with_too_few_sites_to_lie_on_is_warned_of() {
     let few = LYING.replace("sites = \"ends\"", "") + DESIGN;
     let place = Workplace::with_small(&few);
-    let warning = "too few sites there: `sites = \"ends\"`, or a smaller `sites_every_m`";
+    let warning = "too few sites there: `sites = \"ends\"` with `sites_every_m = ";
     for command in [
         &["run", "small.toml", "--out", "out"][..],
         &["simulate", "small.toml", "--case", "0", "--out", "case"],
@@ -160,7 +160,8 @@ fn an_inspection_says_how_a_string_lies_in_its_hole() {
     for words in [
         format!("{value:.2} kN m, {from_bit:.2} m from the bit"),
         format!("side force of the bit      {bit:.3} kN to the low side"),
-        format!("{} of {} sites", contacts.len(), number(&lying["sites"])),
+        format!("{} of {} places", contacts.len(), number(&lying["places"])),
+        format!("{} sites of cases among them", number(&lying["sites"])),
     ] {
         assert!(text.output.contains(&words), "{words}\n{}", text.output);
     }

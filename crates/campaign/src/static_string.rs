@@ -2,11 +2,14 @@
 //! how that stresses it, in the units of files.
 
 use serde::Serialize;
-use statics::{Bit, Contact, ContactState, LyingString, Place, StaticState, StaticsError};
+use statics::closed_forms::buckling::half_wave;
+use statics::{
+    Bit, Contact, ContactState, Leaving, LeavingWay, LyingString, Place, StaticState, StaticsError,
+};
 
 use crate::engine::Clearances;
 use crate::plan::{Conditions, Setting};
-use crate::quantities::{LENGTH, Units, WIDTH};
+use crate::quantities::{LENGTH, TORQUE, Units, WIDTH};
 use crate::snaking_above::SnakingAbove;
 
 /// No weight on bit is larger, N.
@@ -16,8 +19,13 @@ const MOST_WEIGHT: f64 = 5e6;
 /// it.
 const FAR_BEYOND: f64 = 0.75;
 
-/// What keeps a string within its wall.
-const MORE_SITES: &str = "too few sites there: `sites = \"ends\"`, or a smaller `sites_every_m`";
+/// Sites to half a wave of buckling on the low side that hold a string about as a wall all along does.
+const TO_HALF_WAVE: f64 = 2.5;
+
+/// Cases that begin with a moment or a tilt that differs by more than this part, and a tilt by more than this
+/// angle, rad, are reported.
+const DIFFERS: f64 = 0.01;
+const SAME_TILT: f64 = 5e-5;
 
 /// What does where sites are found.
 const FOUND_SITES: &str = "its other sites are found as each case is simulated";
@@ -35,13 +43,19 @@ pub struct StaticString {
     /// What a string without stiffness presses each contact with that touches, N; none of others.
     pub soft: Vec<Option<f64>>,
     buckles_without_contacts: bool,
-    /// The weight on bit from which on it does not stay there, N.
-    snaking_weight: Result<Option<f64>, StaticsError>,
+    /// The weight on bit from which on it does not stay there.
+    leaving: Result<Option<Leaving>, StaticsError>,
     weight_on_bit_kn: f64,
-    /// Where the string goes farthest beyond its wall between its sites.
+    /// State with which cases begin, on their sites alone.
+    on_sites: Option<StaticState>,
+    /// Where the string of cases goes farthest beyond its wall between its sites.
     beyond: Option<BeyondWall>,
     /// Where it snakes above what is modelled, if it does.
     above: Option<SnakingAbove>,
+    /// Distance of sites that hold a string about as its wall does, m.
+    sites_every_m: Option<f64>,
+    /// How many sites cases have.
+    sites: usize,
     /// How long the string is, m.
     length: f64,
 }
@@ -58,8 +72,12 @@ pub struct AtRest {
     /// How far up the greatest moment and stresses are looked for: next to its upper end, and above
     /// the highest sites, the string is bent by how it is cut.
     pub greatest_within_m: f64,
-    /// How many sites there are.
+    /// How many sites cases have.
     pub sites: usize,
+    /// How many places may touch here: sites, and with `"ends"` others between them.
+    pub places: usize,
+    /// State with which cases begin, where that differs by more than 1 %.
+    pub in_cases: Option<InCases>,
     /// Those that touch, from the bit up.
     pub contacts: Vec<TouchingSite>,
     /// Where it goes farthest beyond its wall between its sites, if it does.
@@ -80,12 +98,30 @@ pub struct AtRest {
     pub buckles_without_contacts: bool,
     /// Whether it stays there.
     pub is_stable: bool,
-    /// The weight on bit from which on it does not stay as it lies at rest; none up to 5 MN.
+    /// The weight on bit from which on it does not stay as it lies at rest; none up to 5 MN, and where
+    /// it leaves its place in another way.
     pub snakes_from_kn: Option<f64>,
+    /// The weight on bit from which on, in a hole that turns, the greatest moment that weight adds grows
+    /// by more than 2.5 % with each 1 % of weight.
+    pub runs_away_from_kn: Option<f64>,
+    /// The weight on bit at which, in a hole that turns, it jumps to another place before that.
+    pub jumps_at_kn: Option<f64>,
     /// Why that weight is not known; none where it is.
     pub snakes_from_unknown: Option<String>,
     /// In steady rotation, sliding on all that it touches, where friction is known.
     pub turning: Option<Turning>,
+}
+
+/// A string at rest on the sites of cases alone.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct InCases {
+    /// Greatest bending moment.
+    pub greatest_moment_knm: f64,
+    /// Tilt of the bit to the axis of the hole, to the high side and to the right looking down.
+    pub tilt_of_bit_deg: [f64; 2],
+    /// Distance of sites that would bring cases closer, m.
+    #[serde(skip)]
+    sites_every_m: Option<f64>,
 }
 
 /// Where a string goes farthest beyond its wall, which acts at its sites alone.
@@ -99,6 +135,9 @@ pub struct BeyondWall {
     pub clearance_mm: f64,
     /// Whether sites are too few to hold it to its wall.
     pub is_far: bool,
+    /// Distance of sites that hold it, m.
+    #[serde(skip)]
+    sites_every_m: Option<f64>,
     /// Whether others are found.
     #[serde(skip)]
     finds_sites: bool,
@@ -147,13 +186,15 @@ impl StaticString {
         conditions: &Conditions,
         bit: Option<Bit>,
     ) -> Option<Result<Self, StaticsError>> {
+        let in_cases = setting.lying_string(conditions, bit)?;
         let view = |lying: LyingString| {
+            let in_cases = in_cases?;
             let state = lying.at_rest()?;
-            let contacts = lying.contacts().len();
+            let on_sites = in_cases.at_rest().ok();
             let frictions = setting.sliding_frictions(conditions);
             // A pinned bit may be one contact more, which nothing rubs on, and a free one none.
             let frictions = frictions.map(|mut it| {
-                it.resize(contacts, 0.0);
+                it.resize(in_cases.contacts().len(), 0.0);
                 it
             });
             let touching = state.contacts().iter().filter(|it| it.touches);
@@ -162,19 +203,39 @@ impl StaticString {
             let mut soft = soft.unwrap_or_default().into_iter();
             let contacts = state.contacts().iter();
             let soft = contacts.map(|it| it.touches.then(|| soft.next()).flatten());
+            let beyond = on_sites.as_ref();
             Ok(Self {
                 buckles_without_contacts: lying.buckles_without_contacts(),
-                snaking_weight: lying.snaking_weight(MOST_WEIGHT),
-                sliding: frictions.and_then(|it| lying.sliding_with(&it).ok()),
+                leaving: lying.leaving(MOST_WEIGHT),
+                sliding: frictions.and_then(|it| in_cases.sliding_with(&it).ok()),
                 soft: soft.collect(),
                 weight_on_bit_kn: conditions.weight_on_bit_kn.unwrap_or(0.0),
                 length: setting.string.length(),
-                beyond: BeyondWall::of(setting, conditions, &state),
+                beyond: beyond.and_then(|it| BeyondWall::of(setting, conditions, it)),
+                sites_every_m: spacing(setting, conditions),
                 above: SnakingAbove::of(setting, conditions),
+                sites: setting.sites.len(),
+                on_sites,
                 state,
             })
         };
-        Some(setting.lying_string(conditions, bit)?.and_then(view))
+        Some(setting.resting_string(conditions, bit)?.and_then(view))
+    }
+
+    /// State with which cases begin, where that differs from this.
+    fn in_cases(&self, to: f64) -> Option<InCases> {
+        let on_sites = self.on_sites.as_ref()?;
+        let (_, here) = self.state.greatest_moment(to);
+        let (_, there) = on_sites.greatest_moment(to);
+        let tilts = [&self.state, on_sites].map(StaticState::tilt_of_bit);
+        let [[x, y], [other_x, other_y]] = tilts;
+        let differs = (there - here).abs() > DIFFERS * here
+            || (x - other_x).hypot(y - other_y) > SAME_TILT.max(DIFFERS * x.hypot(y));
+        differs.then(|| InCases {
+            greatest_moment_knm: 1e-3 * there,
+            tilt_of_bit_deg: tilts[1].map(f64::to_degrees),
+            sites_every_m: self.sites_every_m,
+        })
     }
 
     /// Its numbers.
@@ -184,7 +245,8 @@ impl StaticString {
             value: scale * value,
             from_bit_m,
         };
-        let to = trusted(state, self.length);
+        // Places besides sites are close together.
+        let to = trusted(self.on_sites.as_ref().unwrap_or(state), self.length);
         let touching = state.contacts().iter().rev().filter(|it| it.touches);
         let contact = |it: &ContactState| TouchingSite {
             site_from_bit_m: it.contact.distance_from_bit,
@@ -199,7 +261,9 @@ impl StaticString {
                 .first()
                 .map(|it| it.contact.distance_from_bit),
             greatest_within_m: to,
-            sites: state.contacts().len(),
+            sites: self.sites,
+            places: state.contacts().len(),
+            in_cases: self.in_cases(to),
             contacts: touching.map(contact).collect(),
             beyond_wall: self.beyond,
             snakes_above: self.above,
@@ -210,19 +274,18 @@ impl StaticString {
             greatest_von_mises_mpa: greatest(1e-6, state.greatest_von_mises(to)),
             buckles_without_contacts: self.buckles_without_contacts,
             is_stable: state.is_stable(),
-            snakes_from_kn: self
-                .snaking_weight
-                .clone()
-                .ok()
-                .flatten()
-                .map(|it| 1e-3 * it),
-            snakes_from_unknown: self
-                .snaking_weight
-                .as_ref()
-                .err()
-                .map(StaticsError::to_string),
+            snakes_from_kn: self.leaving_by(LeavingWay::Buckles),
+            runs_away_from_kn: self.leaving_by(LeavingWay::RunsAway),
+            jumps_at_kn: self.leaving_by(LeavingWay::Jumps),
+            snakes_from_unknown: (self.leaving.as_ref().err()).map(StaticsError::to_string),
             turning: self.sliding.as_ref().map(Turning::of),
         }
+    }
+
+    /// The weight on bit from which on it leaves its place in a way, kN.
+    fn leaving_by(&self, way: LeavingWay) -> Option<f64> {
+        let leaving = self.leaving.as_ref().ok()?.as_ref()?;
+        (leaving.way == way).then_some(1e-3 * leaving.weight_on_bit)
     }
 
     /// The string at the ends of its elements, from the bit up.
@@ -254,8 +317,11 @@ impl StaticString {
         let sites = self.state.contacts().iter().enumerate().rev();
         let row = |(site, it): (usize, &ContactState)| {
             let [high, right] = it.by_high_side(it.displacement);
-            let sliding = self.sliding.as_ref().map(|state| state.contacts()[site]);
-            let sliding = sliding.filter(|it| it.touches);
+            let is_here = |other: &&ContactState| {
+                other.touches && other.contact.distance_from_bit == it.contact.distance_from_bit
+            };
+            let sliding = self.sliding.as_ref();
+            let sliding = sliding.and_then(|state| state.contacts().iter().find(is_here));
             [
                 ("site_from_bit_m", Some(it.contact.distance_from_bit)),
                 ("clearance_mm", Some(1e3 * it.contact.clearance)),
@@ -272,6 +338,35 @@ impl StaticString {
         };
         sites.map(row).collect()
     }
+}
+
+/// The distance between sites, m, of which there are two to three to half a wave of buckling on the low side
+/// wherever it lies in its hole, rounded down to a tenth.
+fn spacing(setting: &Setting, conditions: &Conditions) -> Option<f64> {
+    let (lying, lateral) = (setting.lying.as_ref()?, setting.lateral.as_ref()?);
+    let (modelled, length) = (setting.string.bending_length(), setting.string.length());
+    let sites = setting
+        .sites
+        .distances_from_bit()
+        .iter()
+        .zip(&lateral.walls);
+    let sites = sites.map(|(place, wall)| (*place, wall.in_case(conditions).clearance));
+    let walls = Clearances::around(setting, conditions, sites)?;
+    let all = lying
+        .along(&setting.string, (lateral, conditions))
+        .into_iter();
+    let within = all.filter(|it| it.load > 0.0 && length - it.depth <= modelled);
+    let waves = within.filter_map(|it| {
+        let [(section, part), _] = setting.string.parts_around(length - it.depth);
+        let tube = setting.string.sections()[section].parts[part];
+        let rigidity = lateral.bending.youngs_modulus * tube.second_moment();
+        // Pipe lies on its joints.
+        let clearance = walls.at(it.depth)? + tube.outer_radius - it.radius;
+        (clearance > 0.0).then(|| half_wave(rigidity, it.load, clearance))
+    });
+    let shortest = waves.fold(f64::INFINITY, f64::min);
+    let spacing = (10.0 * shortest / TO_HALF_WAVE).floor() / 10.0;
+    (spacing.is_finite() && spacing > 0.0).then_some(spacing)
 }
 
 /// How far from the bit, m, a string of a length (m) is as it would be in a longer model: where it is
@@ -302,7 +397,7 @@ impl BeyondWall {
         let place = units.of(&LENGTH).text(self.from_bit_m, 2);
         let advice = match (self.is_far, self.finds_sites) {
             (false, _) => String::new(),
-            (true, false) => format!(": {MORE_SITES}"),
+            (true, false) => format!(": too few sites there: {}", more_sites(self.sites_every_m)),
             (true, true) => format!(": {FOUND_SITES}"),
         };
         format!("up to {by} beyond its wall, {place} from the bit{advice}")
@@ -329,6 +424,7 @@ impl BeyondWall {
             let is_site = sites.any(|it| it.distance_from_bit == place.distance_from_bit);
             place.distance_from_bit <= to && !is_site
         };
+        let sites_every_m = spacing(setting, conditions);
         let clearances = contacts.iter().map(|it| it.clearance);
         let greatest = clearances.fold(0.0, f64::max);
         let beyond = |place: Place| {
@@ -340,6 +436,7 @@ impl BeyondWall {
                 from_bit_m: place.distance_from_bit,
                 clearance_mm: 1e3 * clearance,
                 is_far: by > FAR_BEYOND * greatest.max(clearance),
+                sites_every_m,
                 finds_sites: (setting.lateral.as_ref()).is_some_and(|it| it.finding.is_some()),
             })
         };
@@ -347,6 +444,27 @@ impl BeyondWall {
         let farthest = between.max_by(|one, other| one.by_mm.total_cmp(&other.by_mm));
         farthest.filter(|it| it.by_mm > 0.0)
     }
+}
+
+impl InCases {
+    /// Words and numbers of that, in units.
+    pub fn words(&self, units: Units) -> String {
+        let moment = units.of(&TORQUE).kilo().text(self.greatest_moment_knm, 2);
+        let [high, right] = self.tilt_of_bit_deg;
+        let more = more_sites(self.sites_every_m);
+        format!(
+            "on their sites alone a moment of {moment} and a tilt of {:.4}°: {more} bring them closer",
+            high.hypot(right)
+        )
+    }
+}
+
+/// Advice that gives cases more sites, at a distance (m).
+fn more_sites(every: Option<f64>) -> String {
+    let every = every.map_or("a smaller `sites_every_m`".to_owned(), |it| {
+        format!("`sites_every_m = {it}` or less")
+    });
+    format!("`sites = \"ends\"` with {every}")
 }
 
 impl Turning {

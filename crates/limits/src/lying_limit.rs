@@ -29,7 +29,7 @@ const MOST_WEIGHT: f64 = 5e6;
 #[non_exhaustive]
 pub enum LyingLimit {
     /// From this weight on bit on the string snakes or buckles, at rest and without friction:
-    /// necessary and sufficient. One that hangs buckles wherever its hole is.
+    /// necessary and sufficient; in a hole that turns its moment runs away or it jumps. One that hangs buckles wherever its hole is.
     Buckling,
     /// Once a turn meets a small swing about the steady climb: necessary for unbalance to make a
     /// string that slides snake much.
@@ -154,7 +154,7 @@ fn buckling_points(sweep: &Sweep) -> Vec<LyingPoint> {
 /// N; none where there is no such weight, or none is found.
 fn buckling_weight(sweep: &Sweep) -> Option<f64> {
     let setting = &sweep.setting;
-    if let Some(lying) = setting.lying_string(&sweep.conditions, None) {
+    if let Some(lying) = setting.resting_string(&sweep.conditions, None) {
         return lying.ok()?.snaking_weight(MOST_WEIGHT).ok().flatten();
     }
     let (hanging, lateral) = (setting.hanging.as_ref()?, setting.lateral.as_ref()?);

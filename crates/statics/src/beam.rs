@@ -27,6 +27,11 @@ const LONGEST_ELEMENT: f64 = 0.5;
 /// a contact is taken to be there.
 const SHORTEST_ELEMENT: f64 = 2e-3;
 
+/// Loads out of the vertical plane below this part of those in it are rounding, as curvatures below this
+/// are, 1/m.
+const SAME_PLANE: f64 = 1e-6;
+const STRAIGHT: f64 = 1e-8;
+
 /// Unknowns of a node: displacement and slope along either axis.
 pub(crate) const FREEDOMS: usize = 4;
 
@@ -59,6 +64,8 @@ pub(crate) struct Beam {
     pub(crate) aside_above: f64,
     /// By which the high side is turned from the first axis at each node, rad.
     pub(crate) high_side: Vec<f64>,
+    /// Whether the hole stays in one vertical plane, so that nothing moves the string sideways.
+    pub(crate) hole_is_plane: bool,
 }
 
 /// Places along an element, as parts of it, and their weights: exact up to the fifth power.
@@ -100,6 +107,17 @@ impl Element {
             }
         }
         stiffness
+    }
+
+    /// Whether what presses and bends it out of the vertical plane of the bit is rounding.
+    fn is_in_plane(&self) -> bool {
+        let along = |plane: usize| {
+            self.load
+                .map(|it| it[plane].abs())
+                .into_iter()
+                .fold(0.0, f64::max)
+        };
+        along(1) <= SAME_PLANE * along(0) && self.curvature[1].abs() <= STRAIGHT
     }
 
     /// What loads along it put on its nodes in a plane, couples of its curvature included.
@@ -182,6 +200,14 @@ impl Beam {
         }
         elements.reverse();
         high_side.reverse();
+        let hole_is_plane = elements.iter().all(Element::is_in_plane);
+        if hole_is_plane {
+            // Rounding would choose the side to which a string snakes.
+            for element in &mut elements {
+                element.curvature[1] = 0.0;
+                element.load.iter_mut().for_each(|it| it[1] = 0.0);
+            }
+        }
         let is_cut = length - top > SHORTEST_ELEMENT;
         let held_above: &[usize] = match conditions.surface {
             SurfaceSupport::Free if !is_cut => &[],
@@ -189,7 +215,7 @@ impl Beam {
             _ => &[0, 2],
         };
         let highest = contacts.first().map_or(0.0, |it| it.clearance);
-        let rests_above = is_cut && conditions.top == Top::AboveContacts;
+        let rests_above = is_cut && matches!(conditions.top, Top::AboveContacts | Top::OnWall(_));
         Ok(Self {
             elements,
             held_above,
@@ -197,6 +223,7 @@ impl Beam {
             distances,
             contact_nodes,
             high_side,
+            hole_is_plane,
         })
     }
 

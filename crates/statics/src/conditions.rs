@@ -60,6 +60,8 @@ pub enum Top {
     AboveContacts,
     /// At a distance from the bit, m; contacts above are left out.
     At(f64),
+    /// At a distance from the bit, m, on the wall there; contacts above are left out.
+    OnWall(f64),
     /// At the surface.
     Surface,
 }
@@ -83,7 +85,7 @@ impl Top {
         let above = highest + 0.5 * widest;
         let distance = match self {
             Self::Surface => length,
-            Self::At(distance) => distance,
+            Self::At(distance) | Self::OnWall(distance) => distance,
             Self::AboveContacts if above + widest > length => length,
             Self::AboveContacts if widest > 0.0 => above,
             Self::AboveContacts => above.max(Self::OF_ONE_CONTACT),

@@ -64,4 +64,5 @@ pub use contact::Contact;
 pub use course::Course;
 pub use error::StaticsError;
 pub use lying::LyingString;
+pub use snaking::{Leaving, LeavingWay};
 pub use state::{ContactState, Place, StaticState};

@@ -40,7 +40,7 @@ const STEP_OF_FRICTION: f64 = 0.05;
 /// ```
 #[derive(Debug, Clone)]
 pub struct LyingString {
-    beam: Beam,
+    pub(crate) beam: Beam,
     /// From the surface down.
     contacts: Vec<Contact>,
     bit_is_pinned: bool,
@@ -63,7 +63,7 @@ impl LyingString {
         positive("Young's modulus in Pa", conditions.youngs_modulus)?;
         finite("weight on bit in N", conditions.weight_on_bit)?;
         not_negative("a torque in N m", conditions.torque)?;
-        if let Top::At(distance) = conditions.top {
+        if let Top::At(distance) | Top::OnWall(distance) = conditions.top {
             positive("the distance of a cut from the bit in m", distance)?;
         }
         if let Some(longest) = conditions.longest_element {
@@ -73,7 +73,7 @@ impl LyingString {
         contacts.iter().try_for_each(|it| it.check(length))?;
         let mut contacts = contacts.to_vec();
         contacts.sort_by(|a, b| b.distance_from_bit.total_cmp(&a.distance_from_bit));
-        if let Top::At(distance) = conditions.top {
+        if let Top::At(distance) | Top::OnWall(distance) = conditions.top {
             contacts.retain(|it| it.distance_from_bit < distance);
         }
         let touches_at_bit = contacts
@@ -180,7 +180,7 @@ impl LyingString {
         Ok(self.state(&lying))
     }
 
-    fn state(&self, lying: &Equilibrium) -> StaticState {
+    pub(crate) fn state(&self, lying: &Equilibrium) -> StaticState {
         StaticState::new(lying, &self.beam, &self.contacts, self.torque)
     }
 

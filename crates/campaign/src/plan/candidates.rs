@@ -12,8 +12,12 @@ pub const MOST_CANDIDATES: usize = 2000;
 /// A span sags by q L⁴/185EI between an end that turns and one that does not. Where the file does not
 /// say how far candidates may be apart, it is so far that the string sags between them by no more than
 /// this part of its clearance, if it were level and without mud.
-const SAG: f64 = 0.5;
+pub const SAG: f64 = 0.5;
 const SAG_OF_SPAN: f64 = 1.0 / 185.0;
+
+/// The same part for the string at rest, which is solved at once: sixteen spans to half a wave of
+/// buckling on the low side, which is π (EI c/q)^¼ long.
+pub const SAG_AT_REST: f64 = 97.409 * SAG_OF_SPAN / 65536.0;
 
 /// What is closer to the bit than this, m, touches with it.
 const OF_BIT: f64 = 0.5;
@@ -50,6 +54,8 @@ pub enum Spans {
         stiffness_by_weight: f64,
         /// The clearance, m, where the hole does not say it.
         clearance: Option<f64>,
+        /// The part of that by which it sags at most.
+        part: f64,
     },
 }
 
@@ -125,12 +131,13 @@ impl StringInHole<'_> {
 
     /// How long a span between two distances from the bit (m) may be, m.
     fn longest_span(&self, [below, above]: [f64; 2], spans: Spans) -> f64 {
-        let (stiffness_by_weight, clearance) = match spans {
+        let (stiffness_by_weight, clearance, sag) = match spans {
             Spans::Given(length) => return length,
             Spans::OfLittleSag {
                 stiffness_by_weight,
                 clearance,
-            } => (stiffness_by_weight, clearance),
+                part,
+            } => (stiffness_by_weight, clearance, part),
         };
         let parts = self.parts().skip_while(|part| part.ends[1] <= below);
         let parts = parts.take_while(|part| part.ends[0] < above);
@@ -146,7 +153,7 @@ impl StringInHole<'_> {
             // I by area is a quarter of this, and so EI by weight.
             let radii = tube.outer_radius_m.powi(2) + tube.inner_radius_m.powi(2);
             let bending = 0.25 * stiffness_by_weight * radii;
-            (clearance > 0.0).then(|| (SAG / SAG_OF_SPAN * bending * clearance).sqrt().sqrt())
+            (clearance > 0.0).then(|| (sag / SAG_OF_SPAN * bending * clearance).sqrt().sqrt())
         });
         longest.fold(f64::INFINITY, f64::min)
     }

@@ -11,7 +11,7 @@ use super::conditions::Conditions;
 use super::contacts::StringInHole;
 use super::finding::{self, Finding};
 use super::impulses::{self, ImpulseSettings};
-use super::sites::Places;
+use super::sites::{self, Places};
 use super::stress;
 use super::wall::{self, WallSettings};
 use crate::design::Design;
@@ -23,6 +23,9 @@ use crate::sweep_file::{
 /// The acceleration beyond which a shock is counted, where the file does not say it, in g.
 const SHOCK_G: f64 = 25.0;
 
+/// Clearances that differ by less than this, m, are the same.
+const SAME_CLEARANCE: f64 = 1e-6;
+
 /// The lateral part of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LateralSettings {
@@ -32,6 +35,9 @@ pub struct LateralSettings {
     pub support: SurfaceSupport,
     /// The wall at each site, from the surface down.
     pub walls: Vec<WallSettings>,
+    /// The wall besides sites of `"ends"`, by the distance from the bit, m, from the surface down: there a
+    /// string at rest may touch, too.
+    pub besides: Arc<[(f64, WallSettings)]>,
     /// The clearance along the string, apart from that of sites: corners by depth and clearance, m,
     /// from the surface down. Empty where only sites have one.
     pub clearances: Arc<[(f64, f64)]>,
@@ -84,7 +90,7 @@ pub fn resolve(
     sites_are_there(source, content, design)?;
     let has = |axis| conditions.has(axis, design);
     let distances = places.sites.distances_from_bit();
-    let walls = (distances.iter().zip(&places.given))
+    let walls: Vec<WallSettings> = (distances.iter().zip(&places.given))
         .map(|(&distance, &site)| {
             let contact = in_hole.contact(distance);
             let quantity = WallQuantity::Friction;
@@ -93,6 +99,16 @@ pub fn resolve(
             wall::resolve(source, content, site, (in_hole, contact), has_friction)
         })
         .collect::<Result<_, _>>()?;
+    let highest = distances.first().copied().zip(walls.first().copied());
+    let besides = sites::besides_ends(content, in_hole, &places.sites).into_iter();
+    let besides = besides.filter_map(|distance| {
+        let at = (in_hole, in_hole.contact(distance));
+        let wall = wall::resolve(source, content, None, at, has(Axis::FRICTION)).ok()?;
+        // Pipe above lies on its next joint.
+        let (highest, its_wall) = highest?;
+        let is_as_wide = wall.clearance <= its_wall.clearance + SAME_CLEARANCE;
+        (distance < highest || is_as_wide).then_some((distance, wall))
+    });
     let impulses = (content.impulses.iter().enumerate())
         .map(|(index, table)| {
             impulses::resolve(source, index, table, places, has(Axis::ImpulseRatio))
@@ -109,6 +125,7 @@ pub fn resolve(
         bending,
         support,
         walls,
+        besides: besides.collect(),
         clearances: clearances(content, in_hole).into(),
         finding: finding::resolve(source, content, in_hole, found)?,
         shocks: shocks(source, content)?,

@@ -17,6 +17,9 @@ use crate::sweep_file::{FileContent, MethodName, SitesName, Source, SweepFileErr
 /// rounding makes it touch.
 const KEPT_OFF: f64 = 1e-12;
 
+/// A string that may touch besides its sites is modelled this much further than where it does, m.
+const LEAST_ABOVE: f64 = 0.5;
+
 /// How a case begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LyingStart {
@@ -92,6 +95,35 @@ impl Lying {
     /// Where sites are too close to each other.
     pub fn string(
         &self,
+        at: (&Drillstring, &Sites),
+        lateral: &LateralSettings,
+        case: (&Conditions, Option<Bit>),
+    ) -> Result<LyingString, StaticsError> {
+        self.string_on(&contacts(at.1, lateral, case.0), at, lateral, case)
+    }
+
+    /// String at rest, which may touch besides its sites, too.
+    ///
+    /// # Errors
+    /// As [`Self::string`].
+    pub fn resting_string(
+        &self,
+        at: (&Drillstring, &Sites),
+        lateral: &LateralSettings,
+        case: (&Conditions, Option<Bit>),
+    ) -> Result<LyingString, StaticsError> {
+        let besides = lateral.besides.iter();
+        let besides = besides.map(|(place, wall)| contact(*place, wall, case.0));
+        let contacts: Vec<Contact> = contacts(at.1, lateral, case.0)
+            .into_iter()
+            .chain(besides)
+            .collect();
+        self.string_on(&contacts, at, lateral, case)
+    }
+
+    fn string_on(
+        &self,
+        contacts: &[Contact],
         (string, sites): (&Drillstring, &Sites),
         lateral: &LateralSettings,
         (conditions, bit): (&Conditions, Option<Bit>),
@@ -100,6 +132,12 @@ impl Lying {
             Some(_) => Bit::Contact,
             None => Bit::Free,
         });
+        // Places besides sites are close together.
+        let highest = contacts
+            .iter()
+            .fold(0.0, |most: f64, it| most.max(it.distance_from_bit));
+        let upper_end = Top::AboveContacts.distance(sites.distances_from_bit(), string.length());
+        let upper_end = upper_end.max(string.length().min(highest + LEAST_ABOVE));
         let course = Course::Surveyed(self.survey.clone());
         let around = statics::Conditions {
             mud: self.mud,
@@ -107,10 +145,10 @@ impl Lying {
             bit,
             surface: lateral.support,
             // Higher up it would hang through its wall, and all that weight on the highest sites.
-            top: Top::AboveContacts,
+            top: Top::OnWall(upper_end),
             ..statics::Conditions::new(lateral.bending.youngs_modulus, course)
         };
-        LyingString::new(string, &around, &contacts(sites, lateral, conditions))
+        LyingString::new(string, &around, contacts)
     }
 }
 
@@ -202,16 +240,18 @@ pub fn frictions(lateral: &LateralSettings, conditions: &Conditions) -> Option<V
 /// The walls of sites, as contacts.
 fn contacts(sites: &Sites, lateral: &LateralSettings, conditions: &Conditions) -> Vec<Contact> {
     let sites = sites.distances_from_bit().iter().zip(&lateral.walls);
-    let contact = |(distance_from_bit, wall): (&f64, &WallSettings)| {
-        let wall = wall.in_case(conditions);
-        Contact {
-            distance_from_bit: *distance_from_bit,
-            clearance: wall.clearance,
-            radius: wall.radius,
-            stiffness: wall.stiffness.is_finite().then_some(wall.stiffness),
-        }
-    };
+    let contact = |(place, wall): (&f64, &WallSettings)| contact(*place, wall, conditions);
     sites.map(contact).collect()
+}
+
+fn contact(distance_from_bit: f64, wall: &WallSettings, conditions: &Conditions) -> Contact {
+    let wall = wall.in_case(conditions);
+    Contact {
+        distance_from_bit,
+        clearance: wall.clearance,
+        radius: wall.radius,
+        stiffness: wall.stiffness.is_finite().then_some(wall.stiffness),
+    }
 }
 
 /// A static state with the forces that the laws of the walls answer with where it is.

@@ -126,6 +126,19 @@ impl Setting {
         Some(lying.string((&self.string, &self.sites), lateral, (conditions, bit)))
     }
 
+    /// String as it lies at rest, which may touch between its sites, too.
+    ///
+    /// # Errors
+    /// As [`Self::lying_string`].
+    pub fn resting_string(
+        &self,
+        conditions: &Conditions,
+        bit: Option<statics::Bit>,
+    ) -> Option<Result<LyingString, StaticsError>> {
+        let (lying, lateral) = (self.lying.as_ref()?, self.lateral.as_ref()?);
+        Some(lying.resting_string((&self.string, &self.sites), lateral, (conditions, bit)))
+    }
+
     /// The dynamic coefficients of friction of its walls, from the surface down, where it has walls
     /// and all are known.
     pub fn sliding_frictions(&self, conditions: &Conditions) -> Option<Vec<f64>> {

@@ -3,13 +3,18 @@
 use linear::well::GRAVITY;
 use linear::{Drillstring, Sites};
 
-use super::candidates::{CANDIDATES_TO, CandidatePlaces, Candidates, MOST_CANDIDATES, Spans};
+use super::candidates::{
+    CANDIDATES_TO, CandidatePlaces, Candidates, MOST_CANDIDATES, SAG, SAG_AT_REST, Spans,
+};
 use super::contacts::StringInHole;
 use crate::quantities::LONGEST_STRING;
 use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 
 /// The most sites listed in a message; of more, the nearest.
 const MOST_LISTED: usize = 12;
+
+/// What is closer to a site than this, m, touches with it.
+const OF_SITE: f64 = 0.25;
 
 /// The sites of a string.
 #[derive(Debug, Clone)]
@@ -127,7 +132,7 @@ fn candidates(
         (SitesName::All, None) => CandidatePlaces::Middles,
         (SitesName::All, Some(every)) => CandidatePlaces::Every(every),
         (SitesName::Ends, every) => {
-            CandidatePlaces::Ends(every.map_or_else(|| of_little_sag(content), Spans::Given))
+            CandidatePlaces::Ends(every.map_or_else(|| of_little_sag(content, SAG), Spans::Given))
         }
     };
     let found = candidates_at(at, content, in_hole);
@@ -149,7 +154,7 @@ fn candidates(
 
 /// Where a string touches that lies in its hole, as `sites = "ends"` has it: m from the bit, in rising order.
 pub fn ends(content: &FileContent, in_hole: &StringInHole) -> Vec<f64> {
-    let at = CandidatePlaces::Ends(of_little_sag(content));
+    let at = CandidatePlaces::Ends(of_little_sag(content, SAG));
     let mut ends = candidates_at(at, content, in_hole);
     ends.sort_by(f64::total_cmp);
     ends
@@ -166,8 +171,32 @@ fn candidates_at(at: CandidatePlaces, content: &FileContent, in_hole: &StringInH
     found.map(|it| it.distance_from_bit).collect()
 }
 
-/// Spans that hardly sag through the wall of a file; of any length where the string does not bend.
-fn of_little_sag(content: &FileContent) -> Spans {
+/// Places besides sites of `"ends"`, m from the bit from the surface down, where a string that lies at
+/// rest may touch, too: cases step their sites alone, as each takes time.
+pub fn besides_ends(content: &FileContent, in_hole: &StringInHole, sites: &Sites) -> Vec<f64> {
+    if content.wall.map(|wall| wall.sites) != Some(SitesName::Ends) || !content.lies_on_low_side() {
+        return Vec::new();
+    }
+    let at = CandidatePlaces::Ends(of_little_sag(content, SAG_AT_REST));
+    let sites = sites.distances_from_bit();
+    let is_other = |place: &f64| {
+        let next = sites.partition_point(|site| *site > place + OF_SITE);
+        sites.get(next).is_none_or(|site| *site < place - OF_SITE)
+    };
+    let blades: Vec<[f64; 2]> = (in_hole.parts())
+        .filter(|part| part.is_given)
+        .map(|part| part.ends)
+        .collect();
+    let is_of_blades = |place: &f64| blades.iter().any(|[from, to]| (from..=to).contains(&place));
+    let mut places = candidates_at(at, content, in_hole);
+    places.retain(|place| is_other(place) && !is_of_blades(place));
+    places.reverse();
+    places
+}
+
+/// Spans that sag by no more than a part of what the wall of a file leaves them; of any length where the
+/// string does not bend.
+fn of_little_sag(content: &FileContent, part: f64) -> Spans {
     let string = &content.string;
     let bending = string.bending.as_ref();
     bending.map_or(Spans::Given(f64::INFINITY), |bending| Spans::OfLittleSag {
@@ -176,6 +205,7 @@ fn of_little_sag(content: &FileContent) -> Spans {
             .wall
             .and_then(|wall| wall.clearance_mm)
             .map(|it| 1e-3 * it),
+        part,
     })
 }
 

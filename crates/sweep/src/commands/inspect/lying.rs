@@ -81,10 +81,24 @@ fn in_words(lying: &AtRest, units: Units) -> String {
             false => parts.join(", "),
         }
     };
-    let snakes = match (lying.snakes_from_kn, &lying.snakes_from_unknown) {
-        (Some(weight), _) => format!("from {} on the bit on", force.text(weight, 1)),
-        (None, Some(reason)) => format!("not known: {reason}"),
-        (None, None) => "not up to 5 MN on the bit".to_owned(),
+    let snakes = match &lying.snakes_from_unknown {
+        Some(reason) => format!("not known: {reason}"),
+        None => {
+            let buckles = (lying.snakes_from_kn)
+                .map(|it| format!("from {} on the bit on", force.text(it, 1)));
+            let turns = "no bifurcation, for the hole turns:";
+            let runs_away = lying.runs_away_from_kn.map(|it| {
+                let weight = force.text(it, 1);
+                format!(
+                    "{turns} from {weight} on the bit on the greatest moment that weight adds grows by more than \
+                     2.5 % with each 1 % of weight"
+                )
+            });
+            let jumps = (lying.jumps_at_kn)
+                .map(|it| format!("{turns} it jumps to another place at {}", force.text(it, 1)));
+            let never = || "not up to 5 MN on the bit".to_owned();
+            buckles.or(runs_away).or(jumps).unwrap_or_else(never)
+        }
     };
     let between = lying
         .beyond_wall
@@ -133,12 +147,14 @@ fn in_words(lying: &AtRest, units: Units) -> String {
         (
             "touches",
             format!(
-                "{} of {}",
+                "{} of {}, {} of cases among them",
                 lying.contacts.len(),
+                counted(lying.places, "place"),
                 counted(lying.sites, "site")
             ),
         ),
     ];
+    let in_cases = (lying.in_cases.iter()).map(|it| row(2, "as cases begin", &it.words(units)));
     let above = (lying.snakes_above.iter()).map(|it| row(2, "above that", &it.words(units)));
     let turning = lying.turning.iter().map(|turning| {
         let [least, greatest] = turning.climb_deg;
@@ -147,7 +163,12 @@ fn in_words(lying: &AtRest, units: Units) -> String {
         row(2, "turning, sliding on these", &value)
     });
     let lines = rows.iter().map(|(title, value)| row(2, title, value));
-    lines.chain(above).chain(turning).collect::<String>() + &contact_lines(lying, [&length, &force])
+    lines
+        .chain(in_cases)
+        .chain(above)
+        .chain(turning)
+        .collect::<String>()
+        + &contact_lines(lying, [&length, &force])
 }
 
 fn contact_lines(lying: &AtRest, [length, force]: [&Unit; 2]) -> String {
