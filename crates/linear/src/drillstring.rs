@@ -395,6 +395,7 @@ impl Drillstring {
             proportional_gain: 0.0,
             integral_gain: 0.0,
             delay: 0.0,
+            late_inertia: 0.0,
             ..drive
         });
         Ok(Self {

@@ -362,6 +362,7 @@ fn drawn(number: usize) -> (Drillstring, SurfaceProfile, f64, Scene) {
             _ => draw.log_uniform(100.0, 1e4),
         },
         delay: 0.0,
+        late_inertia: 0.0,
     };
     let string = string.with_top_drive(drive).unwrap();
     let (speed, torque) = (draw.uniform(-15.0, 15.0), draw.log_uniform(500.0, 2e4));
