@@ -1,5 +1,6 @@
 //! What is wrong with a sweep file, and where.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -42,10 +43,25 @@ impl fmt::Display for SweepFileError {
         let line = self
             .line
             .map_or_else(String::new, |line| format!(":{line}"));
-        let key = (self.key.as_ref()).map_or_else(String::new, |key| format!(": `{key}`"));
-        let text = format!("{file}{line}{key}: {}", self.message);
+        let key = (self.key.as_deref()).map_or_else(String::new, |key| {
+            format!(": `{}`", shortened(key, MOST_OF_KEY))
+        });
+        let message = shortened(&self.message, MOST_OF_MESSAGE);
+        let text = format!("{file}{line}{key}: {message}");
         // What the file says in quotes may not break the line or steer a terminal.
         f.write_str(&text.replace(steers, " "))
+    }
+}
+
+/// Letters of a key and of a message that are shown; those of the program are shorter.
+const MOST_OF_KEY: usize = 200;
+const MOST_OF_MESSAGE: usize = 8000;
+
+/// The beginning of a text that is longer than a number of letters.
+fn shortened(text: &str, most: usize) -> Cow<'_, str> {
+    match text.char_indices().nth(most) {
+        None => Cow::Borrowed(text),
+        Some((end, _)) => Cow::Owned(format!("{}…", &text[..end])),
     }
 }
 

@@ -100,11 +100,15 @@ pub fn nearest<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
     if let (Some(choice), None) = (begun.next(), begun.next()) {
         return Some(choice);
     }
-    let distances = choices
+    // No word is nearer than it is longer or shorter: of a long one nothing needs to be compared.
+    let letters = word.chars().count();
+    let most = |choice: &str| choice.len() / 3 + 1;
+    let near = choices
         .iter()
-        .map(|choice| (strsim::damerau_levenshtein(choice, word), *choice));
+        .filter(|choice| choice.chars().count().abs_diff(letters) <= most(choice));
+    let distances = near.map(|choice| (strsim::damerau_levenshtein(choice, word), *choice));
     let (distance, choice) = distances.min()?;
-    (distance <= choice.len() / 3 + 1).then_some(choice)
+    (distance <= most(choice)).then_some(choice)
 }
 
 /// The keys that a table may have, as its reader names them when it finds another.
