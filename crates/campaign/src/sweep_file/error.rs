@@ -66,3 +66,29 @@ fn shortened(text: &str, most: usize) -> Cow<'_, str> {
 }
 
 impl std::error::Error for SweepFileError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sweep_file::wording::nearest;
+
+    #[test]
+    fn a_key_of_any_length_is_refused_in_a_line() {
+        let key = "friction".repeat(1_000_000);
+        assert_eq!(nearest(&key, &["friction", "frictions"]), None);
+        assert_eq!(nearest("frictoin", &["friction"]), Some("friction"));
+        let error = SweepFileError {
+            file: "sweep.toml".into(),
+            line: Some(3),
+            message: format!("unknown key `{key}`"),
+            key: Some(key),
+        };
+        let said = error.to_string();
+        assert!(
+            said.len() < MOST_OF_KEY + MOST_OF_MESSAGE + 100,
+            "{}",
+            said.len()
+        );
+        assert!(said.starts_with("sweep.toml:3: `frictionfriction"));
+    }
+}
