@@ -534,3 +534,49 @@ fn workbooks_are_read_cell_by_cell_and_hostile_ones_are_refused() {
         assert!(answer.errors.contains(words), "{words}: {}", answer.errors);
     }
 }
+
+/// A key of a base is taken away by its name in any unit, a table as a whole; what is not there is refused.
+#[test]
+fn a_file_takes_keys_of_its_base_away() {
+    let place = Workplace::new();
+    let base = RUBS.replace("time_s = 20\n", "time_s = 20\ntitle = \"Other\"\n");
+    place.write("other.toml", base);
+    place.write(
+        "survey.csv",
+        "MD (m),Inc (deg),Azi (deg)\n0,0,0\n2000,40,0\n",
+    );
+    let said = |without: &str| {
+        place.write(
+            "small.toml",
+            format!("base = \"other.toml\"\nwithout = {without}\n"),
+        );
+        place.answer(&["inspect", "small.toml", "--out", "looked"])
+    };
+    let all = said("[]");
+    assert!(all.output.contains("Other"), "{all:?}");
+    let less = said("[\"title\", \"string_friction.pieces\", \"string_friction\", \"well\"]");
+    assert_eq!(less.code, 0, "{}", less.errors);
+    assert!(!less.output.contains("Other"), "{}", less.output);
+    assert!(
+        less.output.contains("no [string_friction] is given"),
+        "{}",
+        less.output
+    );
+    for (without, words) in [
+        (
+            "[\"wall\"]",
+            "small.toml:2: `without`: the base has no `wall`",
+        ),
+        (
+            "[\"string.sections.repeat\"]",
+            "the base has no `string.sections.repeat`",
+        ),
+        ("[\"\"]", "the base has no ``"),
+        ("\"wall\"", "is a list of keys of the base"),
+        ("[7]", "so they are strings"),
+    ] {
+        let refused = said(without);
+        assert_eq!(refused.code, 2, "{without}");
+        assert!(refused.errors.contains(words), "{}", refused.errors);
+    }
+}

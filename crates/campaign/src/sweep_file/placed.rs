@@ -100,6 +100,24 @@ impl Placed {
         }
     }
 
+    /// Takes the key at a path (`bit.cutting.blades`) out, by its name in SI or another unit; whether it is
+    /// there.
+    pub fn take_out(&mut self, path: &str) -> bool {
+        let (above, key) = path.rsplit_once('.').unwrap_or(("", path));
+        let (mut table, mut places) = (&mut self.table, &mut self.places);
+        for name in above.split('.').filter(|name| !name.is_empty()) {
+            let inner = (table.get_mut(name), places.get_mut(name));
+            let (Some(toml::Value::Table(inner)), Some(keys)) = inner else {
+                return false;
+            };
+            (table, places) = (inner, &mut keys.keys);
+        }
+        let twin = key_in_si(key);
+        let name = twin.as_ref().map_or(key, |(name, _)| name);
+        places.remove(name);
+        table.remove(name).is_some()
+    }
+
     /// Puts a value into a table, as if it stood where another key of it does.
     pub fn put_next_to(&mut self, table: &str, neighbour: &str, key: &str, value: toml::Value) {
         if let Some(toml::Value::Table(values)) = self.table.get_mut(table) {
@@ -133,6 +151,7 @@ impl Placed {
         }
         Layer { file, lines }.lay(self, over)?;
         self.remove("base");
+        self.remove("without");
         Ok(())
     }
 }

@@ -154,6 +154,10 @@ impl Source {
         let mut error = self.error_verbatim(key, message);
         let units = FileUnits::new(are_field, error.key.as_deref().unwrap_or_default());
         error.message = units.convert(&error.message);
+        if error.file != self.files[0] && error.message.contains("leave it out") {
+            let sweep = self.files[0].display();
+            error.message += &format!(" (`without = [{key:?}]` in {sweep})");
+        }
         error
     }
 
@@ -275,6 +279,21 @@ impl Source {
                 })?;
         }
         let given = table.get_ref();
+        if let Some((key, value)) = given.get_key_value("without") {
+            let line = lines.of(key.span().start);
+            let refused = |message: String| unusable(Some(line), Some("without"), message);
+            let paths = value.get_ref().as_array();
+            for path in paths.ok_or_else(|| refused("is a list of keys of the base".to_owned()))? {
+                let DeValue::String(path) = path.get_ref() else {
+                    return Err(refused(
+                        "names keys of the base, so they are strings".to_owned(),
+                    ));
+                };
+                if !Arc::make_mut(&mut self.merged).take_out(path) {
+                    return Err(refused(format!("the base has no `{path}`")));
+                }
+            }
+        }
         for Rivals(table, one, other) in RIVALS {
             let around = match table {
                 "" => Some(given),

@@ -216,8 +216,8 @@ const CHAPTERS: [Chapter; 31] = [
     chapter("`marks`", "map.marks.0"),
 ];
 
-/// The key of a file that the types do not have.
-const BASE: &str = "base";
+/// Keys of a file that the types do not have.
+const OF_BASES: [&str; 2] = ["base", "without"];
 
 #[test]
 fn the_examples_have_no_fault() {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::Value as Json;
 
-use super::{BASE, CHAPTERS, Chapter, PAGE};
+use super::{CHAPTERS, Chapter, OF_BASES, PAGE};
 use crate::quantities::unit_of;
 use crate::sweep_file::schema::{of_sweep_files, of_types};
 
@@ -44,8 +44,10 @@ impl Types {
         let properties = self.table(chapter.path)["properties"].as_object();
         let mut keys: BTreeMap<String, Json> = (properties.unwrap().clone()).into_iter().collect();
         if chapter.path.is_empty() {
-            let base = of_sweep_files()["properties"][BASE].clone();
-            keys.insert(BASE.to_owned(), base);
+            for key in OF_BASES {
+                let property = of_sweep_files()["properties"][key].clone();
+                keys.insert(key.to_owned(), property);
+            }
         }
         keys
     }

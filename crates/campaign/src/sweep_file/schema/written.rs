@@ -228,13 +228,18 @@ fn describe_axes(schema: &mut Value) {
     }
 }
 
-/// Adds the key of another file, without which everything is needed that has no default.
+/// Adds the keys of another file, without which everything is needed that has no default.
 fn add_base(schema: &mut Value, required: Value, rivals: &[Rivals]) {
     schema["title"] = json!("A sweep file");
     schema["description"] = json!("A sweep file of the program `sweep`.");
     schema["properties"]["base"] = json!({
         "type": "string",
         "description": BASE,
+    });
+    schema["properties"]["without"] = json!({
+        "type": "array",
+        "items": { "type": "string" },
+        "description": WITHOUT,
     });
     schema["if"] = json!({ "required": ["base"] });
     schema["else"] = needed(&required, rivals);
@@ -245,3 +250,7 @@ const BASE: &str = "Another sweep file, in the folder of this one, which gives e
                     not given \
     here. A `[design]` replaces the base's as a whole, and so does any list, such as `sites`; of \
     other tables, each key does.";
+
+/// What takes keys of another file away.
+const WITHOUT: &str = "Keys that the base has and this sweep has not, each with the tables around it: \
+                       `[\"bit.cutting.blades\", \"map.x\", \"wall\"]`.";
