@@ -3,7 +3,7 @@
 //! A drive that answers to its speed of a time τ ago has the impedance
 //! s J + (K_p + K_i/s) e^(−s τ), whose real part is K_p cos ωτ − (K_i/ω) sin ωτ: beyond a quarter of
 //! the frequency 1/τ it gives where it should take. Where it makes up for an inertia J_l by an acceleration that is as
-//! old, s J_l (1 − e^(−s τ)) comes to that. Whether the string takes more than that is
+//! old, it opposes s J_l (1 − e^(−s τ)) more. Whether the string takes more than that is
 //! counted: with Z that of the string at its surface, below a bit that is free, and Z₀ that of the
 //! drive without delay, the roots that grow are those of
 //!
