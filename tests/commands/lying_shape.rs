@@ -7,16 +7,19 @@ use serde_json::Value;
 use crate::lying::{LYING, rows_of};
 use crate::support::Workplace;
 
-/// Sites at which cases step the string and at which alone it touches at rest; of `"ends"` it touches between
-/// them, too.
-const AS_CASES_STEP: &str = "\"all\"";
+/// The string with the sites at its ends given one by one: so it touches there alone at rest, too, and not
+/// between them, as it moves.
+fn with_given_sites() -> String {
+    let site = |distance: u32| format!("[[sites]]\ndistance_from_bit_m = {distance}\n");
+    let sites = [11, 13, 22, 23, 32, 33, 42, 43, 52, 53, 62, 63].map(site);
+    LYING.replace("sites = \"ends\"\n", "") + &sites.concat()
+}
 
 /// Without friction it turns as it lies, so that it is bent as `inspect` says, by every method: once a
 /// turn each point of its surface is stretched as much as it is pressed.
 #[test]
 fn a_string_that_turns_as_it_lies_is_bent_and_stressed_as_at_rest() {
-    let text = LYING
-        .replace("\"ends\"", AS_CASES_STEP)
+    let text = with_given_sites()
         .replace("friction = 0.3", "friction = 0\nstress_every_m = 1")
         .replace("time_s = 1\n", "time_s = 6\n")
         .replace(
@@ -151,15 +154,14 @@ fn at_sites(place: &Workplace) -> [f64; 3] {
     most
 }
 
-/// [`LYING`] at rest, as it buckles without its walls, so that springs hold its linear part, and the
+/// [`LYING`] at rest, with its sites given, as it buckles without its walls, so that springs hold its linear part, and the
 /// same with more sites than taps are summed for: its elements are stepped and need none.
 fn lying_buckled_and_stepped() -> [String; 3] {
-    let lying = LYING
-        .replace("_hz = 400", "_hz = 1600")
-        .replace("\"ends\"", AS_CASES_STEP);
+    let lying = with_given_sites().replace("_hz = 400", "_hz = 1600");
     let damping = "damping_ns_m2 = 200";
     let buckled = lying.replace(damping, &format!("{damping}, compression_kn = 200"));
-    let stepped = buckled.replace(AS_CASES_STEP, "\"all\"\nsites_every_m = 1.5");
+    let all = "friction = 0.3\nsites = \"all\"\nsites_every_m = 1.5";
+    let stepped = buckled.replace("friction = 0.3", all);
     [lying, buckled, stepped]
 }
 

@@ -72,7 +72,7 @@ fn the_schema_has_the_ranges_of_the_reader() {
             };
             // Those of an axis are its own.
             let is_of_axis = chapter.heading == "An axis" && ends.is_none();
-            if !OF_BASES.contains(&key) && !is_of_axis {
+            if !OF_BASES.contains(&key.as_str()) && !is_of_axis {
                 let at = format!("{}: {key}", chapter.heading);
                 let unit = unit_of(&key).unwrap_or_default();
                 check_range(&at, ends, unit, &refusals(chapter, &key));
