@@ -323,6 +323,7 @@ impl MethodSystem {
         let (stuck, smooth) = (torsion.regime, other.regime);
         torsion.regime = TorsionRegime::from_two_starts(stuck, smooth);
         torsion.fades |= other.fades;
+        torsion.is_irregular |= other.is_irregular;
         // What was predicted is of the first start.
         if outcome.predicted == Some(Label::Torsion(stuck)) {
             outcome.predicted = Some(Label::Torsion(torsion.regime));

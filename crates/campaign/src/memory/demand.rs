@@ -33,7 +33,7 @@ const SITE_SHOWN: f64 = 4.0 * MIB;
 const CASE_SHOWN: f64 = 12.0 * MIB;
 const SHAPE_SHOWN: f64 = 1.5 * MIB;
 
-/// What reading a sweep file takes for each of its bytes: of `[[sites]]`, which are short, the most.
+/// Memory that reading a sweep file takes for each of its bytes: most for `[[sites]]`, which are short.
 const READ: f64 = 75.0;
 
 /// What the allocator takes for every byte, some of it freed and not yet given back.

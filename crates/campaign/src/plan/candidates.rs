@@ -15,7 +15,7 @@ pub const MOST_CANDIDATES: usize = 2000;
 pub const SAG: f64 = 0.5;
 const SAG_OF_SPAN: f64 = 1.0 / 185.0;
 
-/// The same part for the string at rest, which is solved at once: sixteen spans to half a wave of
+/// Part of the clearance that the string at rest, which is solved at once, sags at most: sixteen spans to half a wave of
 /// buckling on the low side, which is π (EI c/q)^¼ long.
 pub const SAG_AT_REST: f64 = 97.409 * SAG_OF_SPAN / 65536.0;
 

@@ -13,7 +13,7 @@ use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 /// The most sites listed in a message; of more, the nearest.
 const MOST_LISTED: usize = 12;
 
-/// What is closer to a site than this, m, touches with it.
+/// Distance from a site, m, within which a place touches with it.
 const OF_SITE: f64 = 0.25;
 
 /// The sites of a string.

@@ -73,9 +73,9 @@ pub struct WallPushes {
 pub struct Stresses {
     /// Cases whose stress is known.
     pub cases: usize,
-    /// Those of them beyond the yield of grade E75.
+    /// Cases beyond the yield of grade E75.
     pub beyond_e75: usize,
-    /// Those of them beyond the yield of grade S135, and so of any collar.
+    /// Cases beyond the yield of grade S135, and so of any collar.
     pub beyond_s135: usize,
 }
 

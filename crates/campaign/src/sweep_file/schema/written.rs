@@ -251,6 +251,6 @@ const BASE: &str = "Another sweep file, in the folder of this one, which gives e
     here. A `[design]` replaces the base's as a whole, and so does any list, such as `sites`; of \
     other tables, each key does.";
 
-/// What takes keys of another file away.
+/// Description of the key that takes keys of another file away.
 const WITHOUT: &str = "Keys that the base has and this sweep has not, each with the tables around it: \
                        `[\"bit.cutting.blades\", \"map.x\", \"wall\"]`.";
