@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::support::{Answer, SMALL, Workplace, small_with_design, with};
 
 /// Columns that a run has only where it certifies.
-const CERTIFICATE: [&str; 8] = [
+const CERTIFICATE: [&str; 10] = [
     "finer_torsion",
     "finer_lateral",
     "finer_stick_slip_margin_rpm",
@@ -14,6 +14,8 @@ const CERTIFICATE: [&str; 8] = [
     "torsion_certified",
     "lateral_certified",
     "nearby_torsion_agrees",
+    "finer_normal_force_mean_kn",
+    "whirl_rate_and_force_agree",
 ];
 
 const THREE: &str = "methods = [\"held\", \"hilbert\", \"finite-element\"]\n";
@@ -117,6 +119,7 @@ fn certificates_are_what_a_run_in_shorter_steps_says() {
             "stick_slip_margin_rpm",
             "contact_fraction",
             "precession_turns_per_s",
+            "normal_force_mean_kn",
         ] {
             let [reported, finer, exact] = [
                 (&certified, format!("finer_{own}")),
@@ -158,6 +161,70 @@ fn certificates_are_what_a_run_in_shorter_steps_says() {
         // Of the bit's rotation some are and some are not.
         assert!((1..CASES).contains(&certain[0]), "{certain:?}");
     }
+}
+
+/// Whirl that all four find says whether no two of their rates and forces differ by more than a
+/// quarter and half: at three walls of the paper both happen.
+#[test]
+fn whirl_says_whether_rate_and_force_agree() {
+    let place = Workplace::new();
+    let base = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/fig17.toml");
+    let text = format!(
+        "base = {base:?}\nmethods = [\"held\", \"finite-element\"]\ncertify = true\n[design]\n\
+         kind = \"monte-carlo\"\ncases = 40\nseed = 17\n[design.axes]\nimpulse_ratio = {{ from = 0.9, to = 5 }}\n\
+         friction = {{ from = 0.5, to = 3 }}\n"
+    );
+    let reported = run(&place, &text, "certified", &[]);
+    let table = read(&place, "certified/labels.csv");
+    let numbers = |name: &str| -> Vec<f64> {
+        let fields = column(&table, name).into_iter();
+        fields
+            .map(|field| field.parse().unwrap_or(f64::NAN))
+            .collect()
+    };
+    let labels = ["lateral", "finer_lateral"].map(|name| column(&table, name));
+    let agrees = column(&table, "whirl_rate_and_force_agree");
+    let of_kind = [
+        ("precession_turns_per_s", 0.25),
+        ("normal_force_mean_kn", 0.5),
+    ]
+    .map(|(name, part)| ([numbers(name), numbers(&format!("finer_{name}"))], part));
+    let mut counts = [0, 0];
+    for (case, agrees) in agrees.chunks(2).enumerate() {
+        let rows = [2 * case, 2 * case + 1];
+        let of_case = rows
+            .iter()
+            .flat_map(|&row| labels.iter().map(move |list| list[row]));
+        let all_whirl = of_case.clone().all(|label| label == "backward_whirl");
+        let is_alike = |([own, finer], part): &([Vec<f64>; 2], f64)| {
+            let four = rows.map(|row| [own[row], finer[row]]);
+            let [least, most] = four
+                .as_flattened()
+                .iter()
+                .fold([f64::MAX, 0.0], |ends, one| {
+                    [ends[0].min(one.abs()), ends[1].max(one.abs())]
+                });
+            most - least <= part * most
+        };
+        let are_alike = of_kind.iter().all(is_alike);
+        let expected = if all_whirl {
+            are_alike.to_string()
+        } else {
+            String::new()
+        };
+        assert_eq!(agrees, [&expected; 2], "case {case}");
+        if all_whirl {
+            counts[usize::from(are_alike)] += 1;
+        }
+    }
+    assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
+    let words = format!("forces by over half, in {} cases", counts[0]);
+    let output = reported
+        .output
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert!(output.contains(&words), "{output}");
 }
 
 /// A case is simulated in the sweep at each of the speeds that its certificate looks at: what that

@@ -4,13 +4,13 @@
 use anyhow::Result;
 use linear::{Method, parallel};
 use serde::{Deserialize, Serialize};
-use sim::{Label, Outcome};
+use sim::Outcome;
 
 use crate::engine::{
     Case, MethodSystem, Recipe, RunOptions, Shard, StringMemory, answer, has_case, setting_of,
 };
 
-use crate::records::{FINER, Record};
+use crate::records::{FINER, Record, Whirl};
 
 use crate::plan::{Setting, Starts, Sweep};
 use crate::sweep_file::{FileContent, StartName};
@@ -41,12 +41,6 @@ const WARNED_PART: f64 = 0.1;
 
 /// and the fewest labels.
 const WARNED_CASES: usize = 2;
-
-/// Whirl by two methods is another if its rate differs by more than this part of the greater,
-const ANOTHER_RATE: f64 = 0.25;
-
-/// or its mean force by more than this part. Whirl of several sites is chaotic, and repeats both to a tenth.
-const ANOTHER_FORCE: f64 = 0.5;
 
 /// What is changed of a case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -413,18 +407,8 @@ fn differing(some: &Records, others: &Records) -> Counts {
 
 /// Whether two outcomes are whirl at rates or with forces that are not alike.
 fn whirls_otherwise(one: &Outcome, other: &Outcome) -> bool {
-    let whirl = |outcome: &Outcome| {
-        let lateral = outcome.lateral()?;
-        let whirls = Label::Lateral(lateral.regime).is_sustained() == Some(true);
-        whirls.then_some([lateral.precession_rate, lateral.mean_normal_force])
-    };
-    let Some((one, other)) = whirl(one).zip(whirl(other)) else {
-        return false;
-    };
-    let differs = |it: usize, part: f64| {
-        (one[it] - other[it]).abs() > part * one[it].abs().max(other[it].abs())
-    };
-    differs(0, ANOTHER_RATE) || differs(1, ANOTHER_FORCE)
+    let both = Whirl::of(one).zip(Whirl::of(other));
+    both.is_some_and(|(one, other)| !one.is_like(other))
 }
 
 #[cfg(test)]

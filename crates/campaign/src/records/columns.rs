@@ -651,6 +651,26 @@ pub static COLUMNS: &[ResultColumn] = &[
     )
     .of(Motion::Torsion)
     .group(Group::Certificate),
+    number(
+        "finer_normal_force_mean_kn",
+        "kN",
+        "Mean contact force by shorter steps",
+        |row| match row.finer(Motion::Lateral) {
+            Some(MotionVerdict::Lateral {
+                mean_normal_force, ..
+            }) => mean_normal_force.map(to_kn).into(),
+            _ => Field::Nothing,
+        },
+    )
+    .of(Motion::Lateral)
+    .group(Group::Certificate),
+    flag(
+        WHIRL_AGREES,
+        "Rate and force of whirl are alike by all that certify",
+        |row| row.certainty.whirl_agrees.into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Certificate),
     text(
         "torsion_from_stuck",
         "Torsion after the bit was held",
@@ -688,6 +708,8 @@ pub const PUSH_COLUMNS: [&str; 5] = [
 ];
 /// The column of whether the mud motor stalls.
 pub const MOTOR_STALLED: &str = "motor_stalled";
+/// The column of whether rate and force of whirl are alike by all that certify.
+pub const WHIRL_AGREES: &str = "whirl_rate_and_force_agree";
 /// The column of the sites that were found.
 pub const FOUND_SITES: &str = "found_sites_from_bit_m";
 /// That of how often a case was run again for them.

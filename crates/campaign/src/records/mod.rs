@@ -19,14 +19,16 @@ mod measure;
 mod record;
 mod verdict;
 mod wall_push;
+mod whirl;
 
 pub use column::{Group, Needs, RecordRow, ResultColumn, to_kn, to_m_h, to_mm, to_rpm, to_turns};
 pub use columns::{
     COLUMNS, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, PUSH_COLUMNS, RENAMED,
-    STICK_SLIP_MARGIN, is_of_results, name_now,
+    STICK_SLIP_MARGIN, WHIRL_AGREES, is_of_results, name_now,
 };
 pub use field::{Field, Kind};
 pub use measure::Measure;
 pub use record::{ByStart, Failure, Found, Record, certified};
-pub use verdict::{Certainty, FINER, MotionVerdict, Verdict, certainty, verdict};
+pub use verdict::{Certainty, Certified, FINER, MotionVerdict, Verdict, certainty, verdict};
 pub use wall_push::{WallPush, strength};
+pub use whirl::{Whirl, is_whirl};

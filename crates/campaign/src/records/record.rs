@@ -3,10 +3,10 @@
 use std::fmt::Display;
 
 use serde::{Deserialize, Serialize};
-use sim::{Labels, Motion, Outcome, TorsionRegime};
+use sim::{Motion, Outcome, TorsionRegime};
 use thiserror::Error;
 
-use super::verdict::{Verdict, certified_by, verdict};
+use super::verdict::{Certified, Verdict, certified_by, verdict};
 use super::wall_push::WallPush;
 
 /// Why a case has no answer, in a line of text. It is no enum: most of it are the words
@@ -139,7 +139,7 @@ impl Record {
 /// What is certain of a case by the records of the methods at two places: each has one verdict
 /// and one by shorter steps, and one that is missing certifies nothing; nor does a label of the bit
 /// that changes at nearby speeds.
-pub fn certified(case: &[Record], places: [usize; 2]) -> Labels {
+pub fn certified(case: &[Record], places: [usize; 2]) -> Certified {
     let records = places.map(|place| case.iter().find(|record| record.method == place));
     let verdicts = records.map(|record| {
         let verdict = record.map(Record::verdict).unwrap_or_default();
@@ -149,7 +149,7 @@ pub fn certified(case: &[Record], places: [usize; 2]) -> Labels {
     let mut certified = certified_by(verdicts.as_flattened());
     let changes = |record: &Record| record.agrees_nearby == Some(false);
     if records.into_iter().flatten().any(changes) {
-        certified[Motion::Torsion] = None;
+        certified.labels[Motion::Torsion] = None;
     }
     certified
 }
@@ -194,22 +194,25 @@ mod tests {
     #[test]
     fn a_case_is_certain_by_both_methods_and_both_frequencies() {
         let all = [record(0), record(1), record(2)];
-        let found = certified(&all, [0, 2])[Motion::Torsion];
+        let found = certified(&all, [0, 2]).labels[Motion::Torsion];
         assert_eq!(found, Some(SMOOTH.into()));
         // What the other method says does not matter; what one of the two lacks does.
         let without_other = [record(0), record(2)];
-        assert_eq!(certified(&without_other, [0, 2])[Motion::Torsion], found);
-        assert_eq!(certified(&all[..2], [0, 2])[Motion::Torsion], None);
+        assert_eq!(
+            certified(&without_other, [0, 2]).labels[Motion::Torsion],
+            found
+        );
+        assert_eq!(certified(&all[..2], [0, 2]).labels[Motion::Torsion], None);
         let mut lacking = all.clone();
         lacking[2].finer = None;
-        assert_eq!(certified(&lacking, [0, 2])[Motion::Torsion], None);
+        assert_eq!(certified(&lacking, [0, 2]).labels[Motion::Torsion], None);
         lacking[2] = record(2);
         lacking[0].agrees_nearby = Some(true);
-        assert_eq!(certified(&lacking, [0, 2])[Motion::Torsion], found);
+        assert_eq!(certified(&lacking, [0, 2]).labels[Motion::Torsion], found);
         lacking[0].agrees_nearby = Some(false);
-        assert_eq!(certified(&lacking, [0, 2])[Motion::Torsion], None);
+        assert_eq!(certified(&lacking, [0, 2]).labels[Motion::Torsion], None);
         lacking[0].agrees_nearby = None;
         lacking[2] = Record::failed(3, 2, Vec::new(), Failure::new("why"));
-        assert_eq!(certified(&lacking, [0, 2])[Motion::Torsion], None);
+        assert_eq!(certified(&lacking, [0, 2]).labels[Motion::Torsion], None);
     }
 }

@@ -1,11 +1,15 @@
 //! What a simulation says of a case, and what several of them make certain.
 
+use std::ops::Index;
+
 use serde::{Deserialize, Serialize};
 use sim::watch::rules::Rules;
 use sim::{
-    AxialRegime, Label, Labels, LateralMeasures, LateralRegime, Measures, Outcome, PerMotion,
-    TorsionRegime,
+    AxialRegime, Label, Labels, LateralMeasures, LateralRegime, Measures, Motion, Outcome,
+    PerMotion, TorsionRegime,
 };
+
+use super::whirl::{Whirl, is_whirl};
 
 /// Labels are certified by simulations at the sampling frequency of the sweep and at this
 /// many times that.
@@ -37,6 +41,10 @@ pub enum MotionVerdict {
         /// What whirl goes round at, at least, rad/s.
         #[serde(default)]
         least_precession_rate: f64,
+        /// Mean normal force while in contact in the closing window, N; none in records of
+        /// earlier versions.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        mean_normal_force: Option<f64>,
     },
     /// How the bit moved along its axis.
     Axial {
@@ -53,25 +61,57 @@ pub fn verdict(outcome: &Outcome, above_limit: Option<f64>) -> Verdict {
     })
 }
 
+/// Labels of a case that are certain, and whether its whirl is known by more than its label.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Certified {
+    /// The labels that are certain.
+    pub labels: Labels,
+    /// The label of whirl that all verdicts have, and whether [its rate and force](Whirl) are alike by
+    /// each two of them.
+    pub whirl: Option<(Label, bool)>,
+}
+
 /// What verdicts on one case make certain, by any methods and sampling frequencies: that
 /// all have the same label of a motion, and that each measure which decides it is further on its
 /// side of where the label changes than they differ in it.
-pub fn certified_by(verdicts: &[Verdict]) -> Labels {
-    Labels::from_fn(|motion| {
-        let of_motion: Option<Vec<MotionVerdict>> =
-            verdicts.iter().map(|verdict| verdict[motion]).collect();
-        certain_label(&of_motion?)
-    })
+pub fn certified_by(verdicts: &[Verdict]) -> Certified {
+    let of_motion = |motion: Motion| -> Option<Vec<MotionVerdict>> {
+        verdicts.iter().map(|verdict| verdict[motion]).collect()
+    };
+    Certified {
+        labels: Labels::from_fn(|motion| certain_label(&of_motion(motion)?)),
+        whirl: of_motion(Motion::Lateral).and_then(|verdicts| whirl_of(&verdicts)),
+    }
 }
 
-/// Whether the label of each motion is certain: `None` of one without a label, and where a run
-/// does not certify.
-pub type Certainty = PerMotion<Option<bool>>;
+/// Whether the label of each motion is certain, and whirl is alike by all that certify: `None` of a
+/// motion without a label, and where a run does not certify.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Certainty {
+    /// Whether the label of each motion is certain.
+    pub labels: PerMotion<Option<bool>>,
+    /// Whether rate and force of the whirl of a row are alike by all that certify; `None` where not
+    /// all of them have its label.
+    pub whirl_agrees: Option<bool>,
+}
+
+impl Index<Motion> for Certainty {
+    type Output = Option<bool>;
+
+    fn index(&self, motion: Motion) -> &Option<bool> {
+        &self.labels[motion]
+    }
+}
 
 /// Of a row with these labels: those that the case is certain to have.
-pub fn certainty(labels: Labels, certified: Labels) -> Certainty {
-    let is_certain = |motion| Some(certified[motion] == Some(labels[motion]?));
-    Certainty::from_fn(is_certain)
+pub fn certainty(labels: Labels, certified: Certified) -> Certainty {
+    let is_certain = |motion| Some(certified.labels[motion] == Some(labels[motion]?));
+    let own = labels[Motion::Lateral];
+    let of_own = certified.whirl.filter(|(label, _)| own == Some(*label));
+    Certainty {
+        labels: PerMotion::from_fn(is_certain),
+        whirl_agrees: of_own.map(|(_, agrees)| agrees),
+    }
 }
 
 impl MotionVerdict {
@@ -86,12 +126,14 @@ impl MotionVerdict {
                 contact_fraction,
                 precession_rate,
                 least_precession_rate,
+                mean_normal_force,
                 ..
             }) => Self::Lateral {
                 regime,
                 contact_fraction,
                 precession_rate,
                 least_precession_rate,
+                mean_normal_force: Some(mean_normal_force),
             },
             Measures::Axial(axial) => Self::Axial {
                 regime: axial.regime,
@@ -105,6 +147,22 @@ impl MotionVerdict {
             Self::Torsion { regime, .. } => regime.into(),
             Self::Lateral { regime, .. } => regime.into(),
             Self::Axial { regime } => regime.into(),
+        }
+    }
+
+    /// The whirl, where it is one whose force is known.
+    fn whirl(&self) -> Option<Whirl> {
+        match *self {
+            Self::Lateral {
+                regime,
+                precession_rate,
+                mean_normal_force,
+                ..
+            } if is_whirl(regime) => Some(Whirl {
+                precession_rate,
+                mean_normal_force: mean_normal_force?,
+            }),
+            _ => None,
         }
     }
 
@@ -132,6 +190,7 @@ impl MotionVerdict {
                 contact_fraction,
                 precession_rate,
                 least_precession_rate: least,
+                ..
             } => {
                 let mostly = Rules::USUAL.mostly;
                 let lasting = contact_fraction - mostly;
@@ -149,6 +208,15 @@ impl MotionVerdict {
             }
         }
     }
+}
+
+/// The label of whirl that all verdicts have, and whether it is alike by each two of them.
+fn whirl_of(verdicts: &[MotionVerdict]) -> Option<(Label, bool)> {
+    let whirls: Option<Vec<Whirl>> = verdicts.iter().map(MotionVerdict::whirl).collect();
+    let (whirls, label) = (whirls?, verdicts.first()?.label());
+    let is_alike = |one: &Whirl| whirls.iter().all(|other| one.is_like(*other));
+    let is_same = verdicts.iter().all(|verdict| verdict.label() == label);
+    is_same.then(|| (label, whirls.iter().all(is_alike)))
 }
 
 /// The label of one motion that verdicts on it make certain.
@@ -192,6 +260,7 @@ mod tests {
             contact_fraction,
             precession_rate,
             least_precession_rate: 0.5,
+            mean_normal_force: Some(1e4),
         };
         Verdict::only(Motion::Lateral, sideways)
     }
@@ -202,7 +271,7 @@ mod tests {
         let limits = [0.9, 1.1, 1.0, 1.05];
         let certified = |regime, speed: f64| {
             let verdicts = limits.map(|limit| turning(regime, Some(speed - limit)));
-            certified_by(&verdicts)[Motion::Torsion]
+            certified_by(&verdicts).labels[Motion::Torsion]
         };
         let (smooth, stick_slip) = (TorsionRegime::Smooth, TorsionRegime::StickSlip);
         assert_eq!(certified(smooth, 1.31), Some(smooth.into()));
@@ -223,15 +292,15 @@ mod tests {
             turning(TorsionRegime::Smooth, None),
             Verdict::default(),
         ];
-        assert!(certified_by(&[smooth; 4]).is_answer());
+        assert!(certified_by(&[smooth; 4]).labels.is_answer());
         for other in others {
             for place in 0..4 {
                 let mut verdicts = [smooth; 4];
                 verdicts[place] = other;
-                assert_eq!(certified_by(&verdicts), Labels::default());
+                assert_eq!(certified_by(&verdicts), Certified::default());
             }
         }
-        assert_eq!(certified_by(&[]), Labels::default());
+        assert_eq!(certified_by(&[]), Certified::default());
     }
 
     #[test]
@@ -243,7 +312,7 @@ mod tests {
                 touching(regime, 1.0, -9.0),
                 touching(regime, fraction, rate),
             ];
-            certified_by(&verdicts)[Motion::Lateral]
+            certified_by(&verdicts).labels[Motion::Lateral]
         };
         assert_eq!(certified(backward, [0.8, -8.0]), Some(backward.into()));
         assert_eq!(certified(backward, [0.74, -8.0]), None, "contact");
@@ -255,30 +324,63 @@ mod tests {
             touching(transient, 0.2, -1.0),
         ];
         assert_eq!(
-            certified_by(&short)[Motion::Lateral],
+            certified_by(&short).labels[Motion::Lateral],
             Some(transient.into())
         );
         // Contact lasts by one of them alone, and neither goes round.
         let lying =
             [[1.0, 0.1], [0.4, -0.05]].map(|[fraction, rate]| touching(transient, fraction, rate));
         assert_eq!(
-            certified_by(&lying)[Motion::Lateral],
+            certified_by(&lying).labels[Motion::Lateral],
             Some(transient.into())
         );
         let hardly =
             [[1.0, 0.1], [1.0, 0.4]].map(|[fraction, rate]| touching(transient, fraction, rate));
-        assert_eq!(certified_by(&hardly), Labels::default());
+        assert_eq!(certified_by(&hardly), Certified::default());
         let free = touching(LateralRegime::NoContact, 0.0, 0.3);
         assert_eq!(
-            certified_by(&[free; 4])[Motion::Lateral],
+            certified_by(&[free; 4]).labels[Motion::Lateral],
             Some(LateralRegime::NoContact.into())
         );
+    }
+
+    /// Labels that are certain stay so where one of four has a third of the force; what differs is said.
+    #[test]
+    fn whirl_agrees_where_rate_and_force_do() {
+        let backward = LateralRegime::BackwardWhirl;
+        let by = |forces: [Option<f64>; 3]| {
+            let verdicts = forces.map(|mean_normal_force| {
+                let sideways = MotionVerdict::Lateral {
+                    regime: backward,
+                    contact_fraction: 1.0,
+                    precession_rate: -9.0,
+                    least_precession_rate: 0.5,
+                    mean_normal_force,
+                };
+                Verdict::only(Motion::Lateral, sideways)
+            });
+            certified_by(&verdicts)
+        };
+        let label = Label::from(backward);
+        let [alike, weak] = [6e4, 3e4].map(|force| by([Some(1e5), Some(force), Some(8e4)]));
+        assert_eq!(alike.whirl, Some((label, true)));
+        assert_eq!(weak.whirl, Some((label, false)));
+        assert_eq!(weak.labels[Motion::Lateral], Some(label));
+        assert_eq!(by([Some(1e5), None, Some(1e5)]).whirl, None);
+        let row = |regime: LateralRegime| {
+            certainty(Labels::only(Motion::Lateral, regime.into()), weak).whirl_agrees
+        };
+        assert_eq!(row(backward), Some(false));
+        assert_eq!(row(LateralRegime::ForwardWhirl), None);
     }
 
     #[test]
     fn a_row_is_certain_where_its_own_label_is() {
         let labels = |regime: TorsionRegime| Labels::only(Motion::Torsion, regime.into());
-        let certified = labels(TorsionRegime::Smooth);
+        let certified = Certified {
+            labels: labels(TorsionRegime::Smooth),
+            whirl: None,
+        };
         let of = |labels| certainty(labels, certified)[Motion::Torsion];
         assert_eq!(of(labels(TorsionRegime::Smooth)), Some(true));
         assert_eq!(of(labels(TorsionRegime::StickSlip)), Some(false));

@@ -126,7 +126,7 @@ pub struct FileContent {
     pub methods: Vec<MethodName>,
     /// Whether a run finds out of each label if it is certain: by `held` and `finite-element`,
     /// which `methods` has to name, each at this sampling frequency and at twice that, and at
-    /// nearby surface speeds. `labels.csv` then has eight more columns at its end, and the map
+    /// nearby surface speeds. `labels.csv` then has ten more columns at its end, and the map
     /// is filled where labels are certain.
     #[schemars(!skip_serializing_if)]
     #[serde(default, skip_serializing_if = "is_false")]

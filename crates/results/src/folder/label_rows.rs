@@ -9,7 +9,7 @@ use super::label_row::LabelRow;
 use super::recorded_rows::RecordedRows;
 use campaign::records::{
     Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, MISFIT, MOTOR_STALLED, Measure, PUSH_COLUMNS,
-    ResultColumn, STICK_SLIP_MARGIN, WallPush, name_now,
+    ResultColumn, STICK_SLIP_MARGIN, WHIRL_AGREES, WallPush, name_now,
 };
 
 use campaign::quantities::Axis;
@@ -42,6 +42,7 @@ pub struct LabelColumns {
     measures: Vec<usize>,
     stick_slip_margin: Option<usize>,
     certainty: PerMotion<Option<usize>>,
+    whirl_agrees: Option<usize>,
     found: [Option<usize>; 2],
     motor_stalled: Option<usize>,
     wall_push: [Option<usize>; 5],
@@ -130,6 +131,7 @@ impl LabelColumns {
                 .collect::<Result<_, _>>()?,
             stick_slip_margin: place(STICK_SLIP_MARGIN)?,
             certainty: of_motions(ResultColumn::certainty_of)?,
+            whirl_agrees: place(WHIRL_AGREES)?,
             found: [place(FOUND_SITES)?, place(FOUND_ROUNDS)?],
             motor_stalled: place(MOTOR_STALLED)?,
             wall_push: {
@@ -186,7 +188,10 @@ impl LabelColumns {
                 .map(|&column| number(field(column)).ok())
                 .collect(),
             stick_slip_margin: number(optional(self.stick_slip_margin)).ok(),
-            certainty: Certainty::from_fn(|motion| optional(self.certainty[motion]).parse().ok()),
+            certainty: Certainty {
+                labels: PerMotion::from_fn(|motion| optional(self.certainty[motion]).parse().ok()),
+                whirl_agrees: optional(self.whirl_agrees).parse().ok(),
+            },
             found: {
                 let [sites, rounds] = self.found.map(optional);
                 let sites = sites.split(';').filter(|site| !site.is_empty()).count();

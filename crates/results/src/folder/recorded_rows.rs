@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, anyhow};
-use sim::{Labels, Outcome};
+use sim::Outcome;
 
 use super::label_row::LabelRow;
 use super::manifest::Manifest;
@@ -11,7 +11,7 @@ use super::open::MANIFEST;
 use super::records::{RECORDS, read_records};
 use campaign::quantities::Axis;
 use campaign::records::{
-    Certainty, Measure, Record, RecordRow, WallPush, certainty, certified, to_rpm,
+    Certainty, Certified, Measure, Record, RecordRow, WallPush, certainty, certified, to_rpm,
 };
 
 /// What the rows of a folder are made of.
@@ -101,7 +101,7 @@ impl RecordedRows {
         Ok(cases.flatten())
     }
 
-    fn row(&self, line: usize, record: &Record, certified: Option<Labels>) -> Result<LabelRow> {
+    fn row(&self, line: usize, record: &Record, certified: Option<Certified>) -> Result<LabelRow> {
         record.check_values(self.axes)?;
         let outcome = record.outcome.as_ref();
         let labels = outcome.map(Outcome::labels).unwrap_or_default();

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use sim::Label;
 
 use campaign::quantities::{STRESS, Units};
-use campaign::records::{Certainty, WallPush};
+use campaign::records::{Certainty, WHIRL_AGREES, WallPush};
 
 use campaign::words::counted;
 use sim::{Labels, Motion, TorsionRegime};
@@ -22,6 +22,9 @@ pub struct Tally {
     /// Those of them that are certain, where the run certifies labels.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub certified: BTreeMap<String, BTreeMap<Label, usize>>,
+    /// Rows, per method, that whirl by all that certify, at rates or with forces that are not alike.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub other_whirl: BTreeMap<String, usize>,
     /// Sites that were found, per method, where they were looked for.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub found_sites: BTreeMap<String, FoundSites>,
@@ -200,6 +203,9 @@ impl Tally {
         for label in labels.each() {
             let of_method = self.labels.entry(method.to_owned()).or_default();
             *of_method.entry(label).or_default() += 1;
+            if label.motion() == Motion::Lateral && certainty.whirl_agrees == Some(false) {
+                *self.other_whirl.entry(method.to_owned()).or_default() += 1;
+            }
             if certainty[label.motion()] == Some(true) {
                 let of_method = self.certified.entry(method.to_owned()).or_default();
                 *of_method.entry(label).or_default() += 1;
@@ -351,6 +357,17 @@ impl Tally {
             of_motion.map(|(_, count)| count).sum()
         };
         self.certified.values().map(of_method).max().unwrap_or(0)
+    }
+
+    /// In how many cases whirl, that all who certify find, has rates or forces that are not alike, in
+    /// a sentence; none where there is no such case.
+    pub fn other_whirl_words(&self) -> Option<String> {
+        let count = self.other_whirl.values().max()?;
+        Some(format!(
+            "whirl by all four settings, but rates differ by over a quarter or forces by over half, in {}: \
+             column {WHIRL_AGREES}",
+            counted(*count, "case"),
+        ))
     }
 
     /// The labels of a method, each with its rows, in one list for each motion that

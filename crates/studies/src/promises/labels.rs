@@ -140,8 +140,8 @@ fn of_string(problem: &Problem, draw: &mut Draw) -> Result<Vec<Tested>> {
             value,
             label: is_inside(outcome),
             is_certain: match problem.motion {
-                Motion::StickSlip => certified[sim::Motion::Torsion].is_some(),
-                Motion::Whirl => certified[sim::Motion::Lateral].is_some(),
+                Motion::StickSlip => certified.labels[sim::Motion::Torsion].is_some(),
+                Motion::Whirl => certified.labels[sim::Motion::Lateral].is_some(),
             },
             truth: (said[0]).filter(|first| said.iter().all(|other| *other == Some(*first))),
         });

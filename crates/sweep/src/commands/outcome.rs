@@ -59,7 +59,11 @@ fn certain(manifest: &Manifest) -> String {
         );
         wrapped(&words, 2, 4)
     };
-    manifest.tally.motions().into_iter().map(words).collect()
+    let mut text: String = manifest.tally.motions().into_iter().map(words).collect();
+    if let Some(words) = manifest.tally.other_whirl_words() {
+        text += &wrapped(&words, 2, 4);
+    }
+    text
 }
 
 /// Possible dependences of labels that were not examined.
