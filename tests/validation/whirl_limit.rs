@@ -295,7 +295,18 @@ fn val_sites_that_slide_together_whirl_with_no_less_than_any_need() {
 /// the same friction.
 #[test]
 fn val_no_whirl_of_a_dense_scan_is_missed() {
-    assert!(whirls_of_a_dense_scan(SWEEP, &string(295), DAMPING) > 20);
+    assert!(whirls_of_a_dense_scan(SWEEP, &string(295), DAMPING, 0.0) > 20);
+}
+
+/// The same where the string carries an eccentric mass of 700 kg.
+#[test]
+fn val_no_whirl_with_an_eccentric_mass_is_missed() {
+    let place = SITES[0].0;
+    let mass = format!(
+        "[[eccentric_masses]]\ndistance_from_bit_m = {place}\nmass_kg = 700\noffset_m = 0\n[wall]"
+    );
+    let sweep = with(SWEEP, "[wall]", &mass);
+    assert!(whirls_of_a_dense_scan(&sweep, &string(295), DAMPING, 700.0) > 20);
 }
 
 /// The same where nothing but viscous mud holds a shorter string back.
@@ -320,11 +331,12 @@ fn val_no_whirl_in_mud_alone_is_missed() {
         "[well]\nhole_diameter_in = 8.5\n[mud]\ndensity_kg_m3 = 1400\nviscosity_cp = 30\n[wall]",
     );
     let string = string.in_hole(hole).unwrap();
-    assert!(whirls_of_a_dense_scan(&sweep, &string, 0.0) > 10);
+    assert!(whirls_of_a_dense_scan(&sweep, &string, 0.0, 0.0) > 10);
 }
 
-/// How many whirls a dense scan finds of the string of a sweep, each of which is in its table.
-fn whirls_of_a_dense_scan(sweep: &str, string: &Drillstring, damping: f64) -> usize {
+/// How many whirls a dense scan finds of the string of a sweep, with a mass (kg) at the first of its
+/// sites, each of which is in its table.
+fn whirls_of_a_dense_scan(sweep: &str, string: &Drillstring, damping: f64, mass: f64) -> usize {
     let speeds = "surface_speed_rpm = { values = [60, 180] }\n";
     let rows = limit(&run(&with(sweep, speeds, "")));
     let found = rolling(&rows);
@@ -336,14 +348,27 @@ fn whirls_of_a_dense_scan(sweep: &str, string: &Drillstring, damping: f64) -> us
             damping,
             compression: 0.0,
         };
-        let sites = Sites::new(string, &[site]).unwrap();
+        let sites = Sites::new(string, &SITES.map(|(site, _)| site)).unwrap();
+        let number_of = |place: f64| {
+            sites
+                .distances_from_bit()
+                .iter()
+                .position(|it| *it == place)
+        };
+        let (number, of_mass) = (number_of(site).unwrap(), number_of(SITES[0].0).unwrap());
+        let mut masses = vec![0.0; sites.len()];
+        masses[of_mass] = mass;
+        let sites = sites.carrying(masses).unwrap();
         let network = BendingNetwork::new(string, bending, SurfaceSupport::Free, &sites).unwrap();
-        let stiffness = |radius: f64| network.at_rate(speed * RADIUS / radius)[(0, 0)].inv();
+        let stiffness =
+            |radius: f64| network.at_rate(speed * RADIUS / radius)[(number, number)].inv();
         let presses_harder = |radius: f64| {
             let wall = WALL_STIFFNESS * (radius - clearance).powf(1.5);
             -stiffness(radius).re * radius > wall
         };
-        let mut own = found.iter().filter(|row| row.site == site).rev();
+        // The table leaves out what needs more friction than any wall has.
+        let is_of_site = |row: &&Row| row.site == site && row.friction < 9.5;
+        let mut own = found.iter().filter(is_of_site).rev();
         let mut radius = clearance;
         for step in 1..=20_000 {
             let [mut low, mut high] = [radius, clearance * 3f64.powf(f64::from(step) / 20_000.0)];
@@ -361,7 +386,6 @@ fn whirls_of_a_dense_scan(sweep: &str, string: &Drillstring, damping: f64) -> us
                 }
             }
             let friction = -stiffness(low).im / stiffness(low).re;
-            // The table leaves out what needs more friction than any wall has.
             if friction < 9.5 {
                 let row = own.next().unwrap_or_else(|| panic!("none at {radius}"));
                 assert!((row.radius / low - 1.0).abs() < 1e-9, "{row:?} {low}");

@@ -178,11 +178,14 @@ fn touches(
     fastest_rpm: f64,
 ) -> Result<Option<Vec<ForwardTouch>>> {
     let (string, sites) = (&sweep.setting.string, &sweep.setting.sites);
-    let network = BendingNetwork::new(string, lateral.bending, lateral.support, sites)?;
+    let is_carried = (sweep.content.eccentric_masses.iter()).all(|mass| mass.form.is_carried());
     let fastest = fastest_rpm / to_rpm(1.0);
-    let decay = BendingDecay::new(string, &lateral.bending);
     let mut touches = Vec::new();
     for (value, mass) in masses {
+        let mut carried = vec![0.0; sites.len()];
+        carried[mass.site] = if is_carried { mass.mass } else { 0.0 };
+        let sites = sites.clone().carrying(carried)?;
+        let network = BendingNetwork::new(string, lateral.bending, lateral.support, &sites)?;
         let eccentric = EccentricString {
             // Friction plays no part before there is contact.
             walls: (lateral.walls.iter())
@@ -190,7 +193,8 @@ fn touches(
                 .collect(),
             mass,
             receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
-            decay: decay.clone(),
+            is_carried,
+            decay: BendingDecay::with_masses(string, &lateral.bending, &sites),
         };
         let Ok(touch) = eccentric.first_touch([SLOWEST * fastest, fastest]) else {
             return Ok(None);

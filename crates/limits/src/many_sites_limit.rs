@@ -1,12 +1,11 @@
 //! The friction below which no steady whirl of any sites lasts, alone or together, from the exact
 //! waves.
 
-use linear::bending_decay::BendingDecay;
 use linear::waves::lateral::BendingNetwork;
 use linear::{Complex64, DrillstringError};
 use sim::{SitesWhirl, WhirlingSites};
 
-use crate::whirl_limit::{WhirlMotion, WhirlPoint};
+use crate::whirl_limit::{WhirlMotion, WhirlPoint, decay};
 use campaign::plan::{LateralSettings, Setting};
 use campaign::records::to_rpm;
 
@@ -74,7 +73,7 @@ pub(super) fn whirling_sites<'a>(
             .map(|wall| wall.with_friction(0.0))
             .collect(),
         receptance: |rate: f64| network.at_rate(rate).entries().to_vec(),
-        decay: BendingDecay::new(&setting.string, &lateral.bending),
+        decay: decay(setting, lateral),
     }
 }
 

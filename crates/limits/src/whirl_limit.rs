@@ -7,7 +7,7 @@ use std::iter;
 
 use linear::bending_decay::BendingDecay;
 use linear::waves::lateral::BendingNetwork;
-use linear::{DrillstringError, Sites, parallel};
+use linear::{DrillstringError, parallel};
 use serde::{Deserialize, Deserializer, de};
 use sim::steady_whirl::MOST_FRICTION;
 use sim::{SteadyWhirl, WhirlingSite};
@@ -115,7 +115,7 @@ pub fn whirl_limit(
 ) -> Result<Vec<WhirlPoint>, DrillstringError> {
     let range = range_rpm.map(|speed| speed / to_rpm(1.0));
     let sites = (0..setting.sites.len()).rev().collect();
-    let decay = BendingDecay::new(&setting.string, &lateral.bending);
+    let decay = decay(setting, lateral);
     let whirls = parallel::each(sites, |site| {
         let whirling = whirling(setting, lateral, &decay, site)?;
         let distance_from_bit = setting.sites.distances_from_bit()[site];
@@ -235,24 +235,28 @@ pub fn rolling_whirls(
     site: usize,
     surface_speed: f64,
 ) -> Result<Vec<SteadyWhirl>, DrillstringError> {
-    let decay = BendingDecay::new(&setting.string, &lateral.bending);
+    let decay = decay(setting, lateral);
     Ok(whirling(setting, lateral, &decay, site)?.rolling_at(surface_speed))
 }
 
-/// A site as the only one: others that are free change nothing.
+/// How fast oscillations of a string with its eccentric masses decay.
+pub(super) fn decay(setting: &Setting, lateral: &LateralSettings) -> BendingDecay {
+    BendingDecay::with_masses(&setting.string, &lateral.bending, &setting.sites)
+}
+
+/// A site as the only one: others that are free and carry no mass change nothing.
 fn whirling(
     setting: &Setting,
     lateral: &LateralSettings,
     decay: &BendingDecay,
     site: usize,
 ) -> Result<WhirlingSite<impl Fn(f64) -> [f64; 2]>, DrillstringError> {
-    let distance = setting.sites.distances_from_bit()[site];
-    let alone = Sites::new(&setting.string, &[distance])?;
+    let (alone, number) = setting.sites.alone(site);
     let network = BendingNetwork::new(&setting.string, lateral.bending, lateral.support, &alone)?;
     Ok(WhirlingSite {
         // Friction plays no part.
         wall: lateral.walls[site].with_friction(0.0),
-        dynamic_stiffness: move |rate| network.dynamic_stiffness(0, rate),
+        dynamic_stiffness: move |rate| network.dynamic_stiffness(number, rate),
         decay: decay.clone(),
     })
 }

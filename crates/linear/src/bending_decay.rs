@@ -39,6 +39,11 @@ use crate::bending::Bending;
 use crate::drillstring::Drillstring;
 use crate::in_mud::{self, Alike};
 use crate::loss::mud::Annulus;
+use crate::sites::Sites;
+
+/// A mass at a site is as good as one spread over this length, m: the waves of whirl are tens of
+/// metres long.
+const SPREAD: f64 = 1.0;
 
 /// The ω₀ of strings in viscous mud, rad/s, but for zero: powers of two.
 const ABOVE: std::ops::RangeInclusive<i32> = -6..=13;
@@ -102,7 +107,26 @@ impl BendingDecay {
 
     /// Of a string with its mud.
     pub fn new(string: &Drillstring, bending: &Bending) -> Self {
-        let resistances = resistances(string, bending);
+        Self::of(&resistances(string, bending))
+    }
+
+    /// Of a string with its mud and the masses at its sites, each as if it were spread over the
+    /// [metre](SPREAD) of any tube about it.
+    pub fn with_masses(string: &Drillstring, bending: &Bending, sites: &Sites) -> Self {
+        let mut resistances = resistances(string, bending);
+        let greatest = sites.masses().iter().copied().fold(0.0, f64::max);
+        if greatest > 0.0 {
+            let heavier = |tube: &Resistance| Resistance {
+                mass: tube.mass + greatest / SPREAD,
+                ..*tube
+            };
+            let heavier: Vec<_> = resistances.iter().map(heavier).collect();
+            resistances.extend(heavier);
+        }
+        Self::of(&resistances)
+    }
+
+    fn of(resistances: &[Resistance]) -> Self {
         if resistances.iter().all(|tube| tube.mud.is_none()) {
             let rates = resistances.iter().map(Resistance::constant_rate);
             return Self::constant(rates.fold(f64::INFINITY, f64::min));

@@ -29,7 +29,7 @@ use crate::drillstring::Drillstring;
 use crate::elements::beam::{mass_matrix, stiffness_matrix};
 use crate::elements::mesh::Mesh;
 use crate::error::BuildError;
-use crate::sites::Sites;
+use crate::sites::{AtSite, Sites};
 use crate::well::HangingString;
 
 /// Elements for each cell of the drillpipe: frequencies are off by a fourth power of their length.
@@ -66,9 +66,8 @@ const SHORTEST: f64 = 0.002;
 pub struct BendingModes {
     elements: Vec<Element>,
     support: SurfaceSupport,
-    /// Springs sideways at the bottom of elements by their number, N/m; nothing where there are
-    /// none.
-    springs: Vec<(usize, f64)>,
+    /// Springs and masses at the bottom of elements by their number.
+    at_sites: Vec<(usize, AtSite)>,
     /// The square below which a frequency is that of a rigid motion, 1/s².
     nothing: f64,
 }
@@ -142,15 +141,16 @@ impl BendingModes {
                 tube.length >= shortest && middle >= depth
             })
             .collect();
-        let held = mesh.site_nodes.iter().zip(sites.springs());
+        let loaded = mesh.site_nodes.iter().zip(sites.loads());
         // The bottom of the last element that is kept down to a site.
-        let springs = held
-            .filter(|(_, spring)| **spring > 0.0)
-            .map(|(&node, &spring)| {
-                let above = kept.partition_point(|(element, _)| *element < node);
-                (above.saturating_sub(1), spring)
-            });
-        let springs = springs.collect();
+        let at_sites =
+            loaded
+                .filter(|(_, load)| *load != AtSite::default())
+                .map(|(&node, load)| {
+                    let above = kept.partition_point(|(element, _)| *element < node);
+                    (above.saturating_sub(1), load)
+                });
+        let at_sites = at_sites.collect();
         let elements: Vec<Element> = (kept.into_iter())
             .map(|(_, (tube, around))| Element {
                 mass: mass_matrix(tube, string.mass_sideways(tube, around.hole_radius)),
@@ -166,7 +166,7 @@ impl BendingModes {
             nothing: ROUNDING * stiffness.fold(0.0, f64::max) / mass,
             elements,
             support,
-            springs,
+            at_sites,
         })
     }
 
@@ -189,7 +189,7 @@ impl BendingModes {
         // What the string above makes of a node's displacement and slope.
         let mut above = [[0.0; 2]; 2];
         let mut negative = 0;
-        let mut springs = self.springs.iter().peekable();
+        let mut at_sites = self.at_sites.iter().peekable();
         for (index, element) in self.elements.iter().enumerate() {
             let entry = |row: usize, column: usize| {
                 element.stiffness[row][column] - square * element.mass[row][column]
@@ -212,8 +212,8 @@ impl BendingModes {
             }
             negative += negative_eigenvalues(node);
             above = add(block(1, 1), less_by(node, across));
-            while let Some((_, spring)) = springs.next_if(|(at, _)| *at == index) {
-                above[0][0] += spring;
+            while let Some((_, load)) = at_sites.next_if(|(at, _)| *at == index) {
+                above[0][0] += load.spring - square * load.mass;
             }
         }
         negative + negative_eigenvalues(above)

@@ -196,6 +196,20 @@ pub enum DrillstringError {
         /// N/m.
         value: f64,
     },
+    /// Masses are not those of the sites.
+    #[error("there are {found} masses, but {sites} sites")]
+    NotAMassForEachSite {
+        /// How many there are.
+        found: usize,
+        /// How many sites there are.
+        sites: usize,
+    },
+    /// A mass is no mass.
+    #[error("a mass at a site is {value} kg, but must be zero or a positive number")]
+    Mass {
+        /// kg.
+        value: f64,
+    },
     /// Two sites are at one place.
     #[error("two sites are {distance} m from the bit")]
     SitesCoincide {

@@ -23,12 +23,23 @@ pub struct Sites {
     distances_from_bit: Vec<f64>,
     /// Stiffness of a spring sideways at each, N/m; empty where there are none.
     springs: Vec<f64>,
+    /// Mass that moves sideways with each besides the string's, kg; empty where there is none.
+    masses: Vec<f64>,
+}
+
+/// A spring and a mass at a site of a string in bending.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct AtSite {
+    /// N/m.
+    pub spring: f64,
+    /// kg.
+    pub mass: f64,
 }
 
 /// A string cut at its sites and at other places, some of which may be the same.
 #[derive(Debug, Clone)]
 pub(crate) struct SitesAndPlaces {
-    /// Where it is cut, springs at sites held by them.
+    /// Where it is cut, with the springs and masses of the sites.
     pub nodes: Sites,
     /// The sites by their numbers among these, from the surface down.
     pub sites: Vec<usize>,
@@ -66,6 +77,7 @@ impl Sites {
         let sites = Self {
             distances_from_bit: sorted,
             springs: Vec::new(),
+            masses: Vec::new(),
         };
         sites.check(string)?;
         Ok(sites)
@@ -96,6 +108,7 @@ impl Sites {
         Self {
             distances_from_bit: vec![0.0],
             springs: Vec::new(),
+            masses: Vec::new(),
         }
     }
 
@@ -110,19 +123,48 @@ impl Sites {
         if found != sites {
             return Err(DrillstringError::NotASpringForEachSite { found, sites });
         }
-        let is_spring = |it: &&f64| it.is_finite() && **it >= 0.0;
-        if let Some(&value) = springs.iter().find(|it| !is_spring(it)) {
+        if let Some(value) = not_of_a_site(&springs) {
             return Err(DrillstringError::Spring { value });
         }
         Ok(Self { springs, ..self })
     }
 
-    /// The same sites, held by nothing.
+    /// The same sites, each with a mass (kg) that moves sideways with the string and turns nothing.
+    ///
+    /// # Errors
+    /// Where there is no such mass, or not one for each site.
+    pub fn carrying(self, masses: Vec<f64>) -> Result<Self, DrillstringError> {
+        let (found, sites) = (masses.len(), self.len());
+        if found != sites {
+            return Err(DrillstringError::NotAMassForEachSite { found, sites });
+        }
+        if let Some(value) = not_of_a_site(&masses) {
+            return Err(DrillstringError::Mass { value });
+        }
+        Ok(Self { masses, ..self })
+    }
+
+    /// The same sites with their masses, held by nothing.
     pub fn without_springs(&self) -> Self {
         Self {
-            distances_from_bit: self.distances_from_bit.clone(),
             springs: Vec::new(),
+            ..self.clone()
         }
+    }
+
+    /// One of the sites by its number, with others only where they carry a mass, and its number among
+    /// these.
+    pub fn alone(&self, site: usize) -> (Self, usize) {
+        let kept = |other: &usize| *other == site || self.mass_at(*other) > 0.0;
+        let kept: Vec<usize> = (0..self.len()).filter(kept).collect();
+        let of = |all: &[f64]| kept.iter().filter_map(|it| all.get(*it)).copied().collect();
+        let alone = Self {
+            distances_from_bit: of(&self.distances_from_bit),
+            springs: Vec::new(),
+            masses: of(&self.masses),
+        };
+        let number = kept.iter().position(|other| *other == site);
+        (alone, number.unwrap_or(0))
     }
 
     /// The string cut at other places, too, by their distances from the bit (m, from the surface down),
@@ -146,12 +188,14 @@ impl Sites {
             distances.iter().filter_map(number).collect()
         };
         let (sites, places) = (numbers(own), numbers(places));
-        if !self.springs.is_empty() {
-            nodes.springs = vec![0.0; nodes.len()];
-            for (site, spring) in sites.iter().zip(&self.springs) {
-                nodes.springs[*site] = *spring;
+        let at_nodes = |own: &[f64]| {
+            let mut all = vec![0.0; if own.is_empty() { 0 } else { nodes.len() }];
+            for (site, own) in sites.iter().zip(own) {
+                all[*site] = *own;
             }
-        }
+            all
+        };
+        (nodes.springs, nodes.masses) = (at_nodes(&self.springs), at_nodes(&self.masses));
         Ok(SitesAndPlaces {
             nodes,
             sites,
@@ -162,6 +206,24 @@ impl Sites {
     /// Stiffness of the spring at each site, N/m; nothing where there are none.
     pub fn springs(&self) -> &[f64] {
         &self.springs
+    }
+
+    /// Mass at each site besides the string's, kg; nothing where there is none.
+    pub fn masses(&self) -> &[f64] {
+        &self.masses
+    }
+
+    fn mass_at(&self, site: usize) -> f64 {
+        self.masses.get(site).copied().unwrap_or(0.0)
+    }
+
+    /// What is at each site besides the string.
+    pub(crate) fn loads(&self) -> Vec<AtSite> {
+        let load = |site: usize| AtSite {
+            spring: self.springs.get(site).copied().unwrap_or(0.0),
+            mass: self.mass_at(site),
+        };
+        (0..self.len()).map(load).collect()
     }
 
     /// Number of sites, at least one.
@@ -188,6 +250,12 @@ impl Sites {
             .iter()
             .map(move |distance| length - distance)
     }
+}
+
+/// The first number that is not finite, or below zero.
+fn not_of_a_site(numbers: &[f64]) -> Option<f64> {
+    let is_one = |number: &&f64| number.is_finite() && **number >= 0.0;
+    numbers.iter().find(|number| !is_one(number)).copied()
 }
 
 #[cfg(test)]

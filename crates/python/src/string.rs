@@ -111,11 +111,12 @@ impl Drillstring {
         linear::sampling::frequency_for_fronts(&self.string).map_err(refused)
     }
 
-    /// Impulse responses by a method, between sites given by their distances from the bit (m).
+    /// Impulse responses by a method, between sites given by their distances from the bit (m), of a string
+    /// that carries masses (kg) there in bending, one for each site from the surface down.
     #[pyo3(signature = (
         method = "held", *, longest_time, sites = None, torques = None, bending = None,
         sampling_frequency = None, transform = None, elements_per_cell = 20, gamma = 0.52,
-        beta = None
+        beta = None, masses = None
     ))]
     #[expect(clippy::too_many_arguments, reason = "keywords")]
     fn responses(
@@ -131,6 +132,7 @@ impl Drillstring {
         elements_per_cell: usize,
         gamma: f64,
         beta: Option<f64>,
+        masses: Option<Vec<f64>>,
     ) -> PyResult<Responses> {
         let transform = Transform { seconds: transform };
         let elements = FiniteElement {
@@ -140,7 +142,10 @@ impl Drillstring {
         };
         let method = convert::method(method, transform, elements)?;
         elements.check().map_err(refused)?;
-        let sites = self.sites(sites)?;
+        let mut sites = self.sites(sites)?;
+        if let Some(masses) = masses {
+            sites = sites.carrying(masses).map_err(refused)?;
+        }
         // Friction turns the string wherever it may touch; without walls the bit alone.
         let torques = torques.unwrap_or_else(|| match bending {
             Some(_) => (0..sites.len()).collect(),

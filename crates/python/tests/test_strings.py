@@ -75,6 +75,31 @@ def test_a_motion_of_a_sweep_is_that_of_its_responses():
     assert np.allclose(stepped.bit_speed, sweep.simulate().motion.bit_speed, atol=1e-8)
 
 
+def test_a_string_carries_an_eccentric_mass():
+    """A collar clamped at its top, at 2.3 times its first critical speed in bending."""
+    collar = ds.Drillstring(
+        [ds.Section([ds.Tube(19, 0.0357, 0.1016)])], material=STEEL, torsional_damping=0.5
+    )
+    bending = ds.Bending(youngs_modulus=206.8e9, damping=500, support="clamped")
+    wall = ds.Wall(clearance=0.5, friction=0.2, radius=0.1, stiffness=1e9)
+    mass = ds.EccentricMass(mass=100, offset=0.02)
+    speed = math.tau
+    bare = collar.bending_response([speed / math.tau], bending=bending)[0, 0, 0]
+    pull = mass.mass * speed**2
+    exact = abs(bare * pull * mass.offset / (1 - bare * pull))
+    radii = []
+    for masses in [[mass.mass], None]:
+        responses = collar.responses(
+            "quadrature", longest_time=30, bending=bending, sampling_frequency=500, masses=masses
+        )
+        motion = responses.simulate(speed, 30, walls=[wall], eccentric_masses=[mass])
+        radii.append(np.hypot(*motion.positions.reshape(-1, 2)[-1]))
+    assert radii[0] == pytest.approx(exact, rel=0.01)
+    assert radii[1] > 1.1 * exact
+    with pytest.raises(ds.DrillstringError, match="masses"):
+        collar.responses(longest_time=1, bending=bending, masses=[1, 2])
+
+
 def test_a_table_of_one_row_is_the_built_in_law_to_the_last_bit(string):
     responses = string.responses(longest_time=40)
     table = ds.TabulatedFriction([0.0], [1000.0], torque_static=1200.0)

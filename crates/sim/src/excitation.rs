@@ -58,7 +58,13 @@ impl Impulse {
     }
 }
 
-/// An unbalanced mass that turns with the string.
+/// An unbalanced mass m_e that turns with the string.
+///
+/// On a string that moves by r the force of its inertia is m_e (d θ̇² e^(iθ) − r̈). Where the
+/// responses are of a string that carries it ([`linear::Sites::carrying`]) the second part is in them,
+/// and the first alone is a force. Where they are not, its force is that of the paper, Section 5.2.3,
+/// m_e (d + |r|) θ̇² e^(iθ), which is right where r is in phase with the mass: well below the string's first
+/// critical speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EccentricMass {
     /// The site it is at.
@@ -71,7 +77,7 @@ pub struct EccentricMass {
 
 impl EccentricMass {
     /// The force m_e (d + r) θ̇² along (cos θ, sin θ) for a string at radius r,
-    /// rotation θ and rotation speed θ̇, N.
+    /// rotation θ and rotation speed θ̇, N; that of the offset alone where r is zero.
     pub fn force(&self, radius: f64, rotation: f64, speed: f64) -> [f64; 2] {
         let force = self.mass * (self.offset + radius) * speed * speed;
         [force * rotation.cos(), force * rotation.sin()]

@@ -144,10 +144,16 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             let speed = last_speeds[self.walls.ports()[mass.site]];
             let since = sampling.collocation_offset / sampling.frequency;
             let rotation = self.rotations[mass.site] + since * speed;
-            // The centre of a string that lies in its hole does not turn about the middle of it.
-            let radius = match self.scene.lying {
-                None => x.hypot(y),
-                Some(_) => 0.0,
+            // What the string carries has its inertia there; and the centre of a string that lies in
+            // its hole does not turn about the middle of it.
+            let carried = self
+                .system
+                .masses
+                .get(mass.site)
+                .is_some_and(|it| *it > 0.0);
+            let radius = match carried || self.scene.lying.is_some() {
+                true => 0.0,
+                false => x.hypot(y),
             };
             add(mass.site, mass.force(radius, rotation, speed));
         }

@@ -31,6 +31,9 @@ pub struct System {
     pub(crate) walls: WallPorts,
     /// Springs that hold the linear string at each of these, N/m; nothing where there are none.
     pub(crate) springs: Vec<f64>,
+    /// Mass that the linear string carries at each of these besides its own, kg; nothing where there
+    /// is none.
+    pub(crate) masses: Vec<f64>,
     /// Axial motion of the bit, where it is modelled.
     pub(crate) axial: Option<AxialLines>,
     /// What turns the bit against the string's end.
@@ -88,6 +91,7 @@ impl System {
             drive: None,
             from_forces: bending.map(|bending| Channel::of_taps(&bending.from_loads)),
             springs: bending.map_or_else(Vec::new, |_| responses.sites.springs().to_vec()),
+            masses: responses.sites.masses().to_vec(),
             torsion: TorsionLine::Whole(whole),
         })
     }
@@ -123,6 +127,7 @@ impl System {
             walls: WallPorts::new((0..sites).collect(), sites),
             // Elements that are stepped need none.
             springs: Vec::new(),
+            masses: responses.sites.masses().to_vec(),
             axial: None,
             motor: None,
             drive: None,
@@ -149,6 +154,7 @@ impl System {
             from_forces: None,
             walls: WallPorts::new(Vec::new(), cascade.nodes.len()),
             springs: Vec::new(),
+            masses: Vec::new(),
             axial: None,
             motor: None,
             drive: None,
@@ -181,6 +187,7 @@ impl System {
             walls: WallPorts::new(walls.ok_or(SimulationError::UnlikeChannels)?, ports.len()),
             from_forces: Some(Channel::of_taps(&bending.driving_points())),
             springs: responses.sites.springs().to_vec(),
+            masses: responses.sites.masses().to_vec(),
             ..self
         })
     }

@@ -17,7 +17,8 @@ use super::wall::{self, WallSettings};
 use crate::design::Design;
 use crate::quantities::{Axis, StringAxis, WallQuantity};
 use crate::sweep_file::{
-    BendingTable, EccentricMassTable, FileContent, NoPlace, Source, SupportName, SweepFileError,
+    BendingTable, EccentricMassTable, FileContent, MassForm, NoPlace, Source, SupportName,
+    SweepFileError,
 };
 
 /// The acceleration beyond which a shock is counted, where the file does not say it, in g.
@@ -230,6 +231,39 @@ fn bending(
         SupportName::Clamped => SurfaceSupport::Clamped,
     };
     Ok((bending, support))
+}
+
+/// The sites with the masses that the string carries there.
+///
+/// # Errors
+/// Where masses at one site have different forms.
+pub fn carrying(
+    source: &Source,
+    content: &FileContent,
+    lateral: &LateralSettings,
+    sites: Sites,
+) -> Result<Sites, SweepFileError> {
+    let tables = content.eccentric_masses.iter();
+    let all: Vec<(EccentricMass, MassForm)> = (lateral.eccentric_masses.iter().copied())
+        .zip(tables.map(|table| table.form))
+        .collect();
+    for (index, (mass, form)) in all.iter().enumerate() {
+        let before = &all[..index];
+        let differs = before
+            .iter()
+            .any(|(other, its)| other.site == mass.site && its != form);
+        let message = "masses at one place have the same form";
+        let key = format!("eccentric_masses[{index}].form");
+        source.refuse_if(differs, &key, message)?;
+    }
+    let mut masses = vec![0.0; sites.len()];
+    for (mass, _) in all.iter().filter(|(_, form)| form.is_carried()) {
+        masses[mass.site] += mass.mass;
+    }
+    if masses.iter().all(|mass| *mass == 0.0) {
+        return Ok(sites);
+    }
+    source.checked("eccentric_masses", sites.carrying(masses))
 }
 
 fn eccentric_mass(

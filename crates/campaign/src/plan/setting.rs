@@ -211,7 +211,10 @@ impl Setting {
             conditions,
             design,
         )?;
-        let sites = places.sites;
+        let sites = match &lateral {
+            Some(lateral) => lateral::carrying(source, content, lateral, places.sites)?,
+            None => places.sites,
+        };
         let (tools, tool_bands) = tools::resolve(source, content, &string, &sites)?;
         let ends = lying::finds_sites(content).then(|| sites::ends(content, &in_hole));
         let (string, hanging) = axial_force::resolve(

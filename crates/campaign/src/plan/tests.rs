@@ -120,6 +120,49 @@ fn a_site_may_have_its_own_friction_that_falls() {
     assert_eq!(falls, [(0.3, 0.1), (0.8, 2.0)]);
 }
 
+/// The string carries what is eccentric, all of it at one place, but for masses in the form of the paper; a
+/// mass that an axis varies is that of the case.
+#[test]
+fn a_string_carries_its_eccentric_masses() {
+    let with = |masses: &str| {
+        read(&format!(
+            "sites = [{{ distance_from_bit_m = 0 }}, {{ distance_from_bit_m = 20 }}]\n\
+             eccentric_masses = [{masses}]\n[wall]\nclearance_mm = 15\nfriction = 0.5\n\
+             [design]\nkind = \"grid\"\n[design.axes]\n\
+             eccentric_mass_0_mass_kg = {{ values = [10, 30] }}\n"
+        ))
+    };
+    let mass = |place: f64, kg: f64, form: &str| {
+        format!(
+            "{{ distance_from_bit_m = {place}, mass_kg = {kg}, offset_m = 1, form = \"{form}\" }}"
+        )
+    };
+    let all = |of: &[(f64, f64, &str)]| {
+        let all: Vec<String> = of.iter().map(|it| mass(it.0, it.1, it.2)).collect();
+        with(&all.join(", "))
+    };
+    let sweep = all(&[
+        (20.0, 10.0, "carried"),
+        (0.0, 5.0, "paper"),
+        (20.0, 2.0, "carried"),
+    ])
+    .unwrap();
+    assert_eq!(sweep.setting.sites.masses(), [12.0, 0.0]);
+    assert_eq!(
+        sweep.setting_at(&[30.0]).unwrap().sites.masses(),
+        [32.0, 0.0]
+    );
+    let sweep = all(&[(20.0, 10.0, "paper")]).unwrap();
+    assert!(sweep.setting.sites.masses().is_empty());
+    let mixed = all(&[(20.0, 10.0, "paper"), (20.0, 10.0, "carried")])
+        .unwrap_err()
+        .to_string();
+    assert!(
+        mixed.contains("`eccentric_masses[1].form`: masses at one place"),
+        "{mixed}"
+    );
+}
+
 /// Where one site goes, another still stood: what is at either goes with its own.
 #[test]
 fn sites_move_at_once_each_with_what_is_there() {

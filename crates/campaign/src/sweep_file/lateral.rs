@@ -186,6 +186,18 @@ fn default_duration() -> f64 {
     0.02
 }
 
+/// The force of an eccentric mass at a radius r of the string.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum MassForm {
+    /// That of its inertia, m_e (d θ̇² e^(iθ) − r̈): the string carries the mass.
+    #[default]
+    Carried,
+    /// That of Section 5.2.3 at a radius r, m_e (d + r) θ̇² e^(iθ), which has the wrong sign of r above a
+    /// critical speed.
+    Paper,
+}
+
 /// An eccentric mass at a site.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -199,6 +211,17 @@ pub struct EccentricMassTable {
     /// Its offset d from the string's centre.
     #[schemars(range(min = 0.0, max = 10.0))]
     pub offset_m: f64,
+    /// Its force.
+    #[schemars(!skip_serializing_if)]
+    #[serde(default, skip_serializing_if = "MassForm::is_carried")]
+    pub form: MassForm,
+}
+
+impl MassForm {
+    /// Whether the string carries the mass.
+    pub fn is_carried(&self) -> bool {
+        *self == Self::Carried
+    }
 }
 
 /// A tool in the string that feels how it is shaken.

@@ -53,7 +53,8 @@ pub use error::SweepFileError;
 pub use feed::{FeedName, FeedTable};
 pub use file::FileContent;
 pub use lateral::{
-    BendingTable, EccentricMassTable, ImpulseTable, SiteTable, SitesName, SupportName, ToolTable,
+    BendingTable, EccentricMassTable, ImpulseTable, MassForm, SiteTable, SitesName, SupportName,
+    ToolTable,
 };
 pub use map::MarkTable;
 pub use methods::MethodName;

@@ -10,7 +10,7 @@ use super::nodes::{Nodes, Relation, StiffnessBetween};
 use super::number::Number;
 use super::stiff_beam::StiffBeam;
 use crate::bending::SurfaceSupport;
-use crate::sites::SitesAndPlaces;
+use crate::sites::{AtSite, SitesAndPlaces};
 
 /// A piece of beam: seen from its top where it is short, between its ends where its waves
 /// hardly get through.
@@ -102,26 +102,34 @@ fn alone<T: Number>(stiffness: Block<T>) -> BeamStiffness<T> {
     }
 }
 
+/// Stiffness (N/m) of what is at each site besides the string, where this is the acceleration per
+/// displacement, 1/s².
+pub fn at_sites<T: Number>(loads: &[AtSite], acceleration: T) -> Vec<T> {
+    let stiffness = |load: &AtSite| acceleration * load.mass + load.spring;
+    loads.iter().map(stiffness).collect()
+}
+
 /// Displacement at each of a number of sites (row) per unit force at each (column), m/N: D⁽ᵇ⁾
-/// of Eq. 57. From the surface down, each piece ends at a node, of which the first `sites`
-/// are sites, held by springs (N/m) or by none; `None` where there is nothing.
+/// of Eq. 57. From the surface down, each piece ends at a node, of which the first are the
+/// sites, each with the stiffness (N/m) of what is there besides the string; `None` where there is
+/// no piece.
 pub fn reduce<T: Number>(
     pieces: impl Iterator<Item = Option<Beam<T>>>,
-    (sites, springs): (usize, &[f64]),
+    at_sites: &[T],
     support: SurfaceSupport,
 ) -> ResponseMatrix<T> {
-    let nodes = nodes(pieces, springs, support);
-    ResponseMatrix::reciprocal(sites, |site| {
+    let nodes = nodes(pieces, at_sites, support);
+    ResponseMatrix::reciprocal(at_sites.len(), |site| {
         nodes
             .moved_by_load(site)
             .map(|Block([[displacement, _], _])| displacement)
     })
 }
 
-/// The nodes between pieces, each held by a spring or by none.
+/// The nodes between pieces, the first of them with stiffnesses of their own.
 fn nodes<T: Number>(
     mut pieces: impl Iterator<Item = Option<Beam<T>>>,
-    springs: &[f64],
+    at_nodes: &[T],
     support: SurfaceSupport,
 ) -> Nodes<Block<T>> {
     let uppermost = pieces.next().flatten();
@@ -131,22 +139,22 @@ fn nodes<T: Number>(
     let pieces: Vec<_> = pieces.collect();
     let zero = T::zero();
     Nodes::held(above, &pieces, |node| {
-        let spring = springs.get(node).map_or(zero, |spring| T::real(*spring));
-        Block([[spring, zero], [zero, zero]])
+        let own = at_nodes.get(node).copied().unwrap_or(zero);
+        Block([[own, zero], [zero, zero]])
     })
 }
 
 /// Bending moment at each of some places (row) per unit force at each site (column), N m/N; of pieces as
-/// in [`reduce`] between the nodes of both, which springs (N/m) hold or none.
+/// in [`reduce`] between the nodes of both, each with a stiffness of its own (N/m).
 /// It is M = EI x″: with what the piece above opposes to the motion of its lower end, or that below,
 /// the other way round, to the motion of its upper end.
 pub fn moments<T: Number>(
     pieces: impl Iterator<Item = Option<Beam<T>>>,
-    springs: &[f64],
+    at_nodes: &[T],
     support: SurfaceSupport,
     SitesAndPlaces { places, sites, .. }: &SitesAndPlaces,
 ) -> Vec<T> {
-    let nodes = nodes(pieces, springs, support);
+    let nodes = nodes(pieces, at_nodes, support);
     let loads = sites;
     let mut moments = vec![T::zero(); places.len() * loads.len()];
     // Forces at a place or above it.
@@ -316,7 +324,11 @@ mod tests {
                 (3, vec![5, 20, 1, 3]),
             ] {
                 let pieces: Vec<Beam> = cells.iter().map(|&cells| piece(cells)).collect();
-                let found = reduce(pieces.iter().copied().map(Some), (sites, &[]), support);
+                let found = reduce(
+                    pieces.iter().copied().map(Some),
+                    &vec![0.0.into(); sites],
+                    support,
+                );
                 let expected = by_elimination(&pieces, sites, support);
                 for row in 0..sites {
                     for column in 0..sites {

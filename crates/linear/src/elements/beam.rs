@@ -10,9 +10,9 @@ use crate::bending::{Bending, SurfaceSupport};
 use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
+use crate::sites::Sites;
 
-/// Assembles the beam elements of a mesh, its sites held by springs (N/m) where there are any,
-/// without the degrees of freedom that the surface holds.
+/// Assembles the beam elements of a mesh with the springs and masses of its sites, without the degrees of freedom that the surface holds.
 ///
 /// # Errors
 /// Where no string bends as `bending` says, or the sparse matrices cannot be formed.
@@ -20,7 +20,7 @@ pub fn assemble(
     string: &Drillstring,
     bending: &Bending,
     support: SurfaceSupport,
-    (mesh, springs): (&Mesh, &[f64]),
+    (mesh, sites): (&Mesh, &Sites),
 ) -> Result<Matrices, BuildError> {
     bending.check()?;
     let held = support.held();
@@ -57,9 +57,10 @@ pub fn assemble(
         }
     }
     let place = |node: usize| (2 * node).checked_sub(held);
-    for (&node, &spring) in mesh.site_nodes.iter().zip(springs) {
+    for (&node, load) in mesh.site_nodes.iter().zip(sites.loads()) {
         if let Some(place) = place(node) {
-            stiffness.push(Entry::new(place, place, spring));
+            stiffness.push(Entry::new(place, place, load.spring));
+            mass.push(Entry::new(place, place, load.mass));
         }
     }
     let drag = NodalDrag::new(string, Channel::Bending, mesh, size, place);

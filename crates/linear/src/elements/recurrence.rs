@@ -28,7 +28,7 @@ use crate::distributed_loss::{LossAlong, tubes};
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 use crate::loss::Fit;
-use crate::sites::{Sites, SitesAndPlaces};
+use crate::sites::{AtSite, Sites, SitesAndPlaces};
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 
@@ -66,9 +66,8 @@ impl<T: Number> Rates<T> {
 pub(crate) struct ElementChain<'a> {
     string: &'a Drillstring,
     spans: Vec<SurroundedSpan>,
-    sites: usize,
-    /// What holds each site sideways, N/m; nothing where nothing does.
-    springs: Vec<f64>,
+    /// What is at each site besides the string, in bending.
+    at_sites: Vec<AtSite>,
     longest: f64,
     weights: Weights,
     loss: LossAlong<Fit>,
@@ -93,8 +92,7 @@ impl<'a> ElementChain<'a> {
             string,
             loss: LossAlong::fitted(string, channel, tubes(&spans)),
             spans,
-            sites: sites.len(),
-            springs: sites.springs().to_vec(),
+            at_sites: sites.loads(),
             longest,
             weights,
         })
@@ -107,8 +105,9 @@ impl<'a> ElementChain<'a> {
         support: SurfaceSupport,
         zeta: T,
     ) -> ResponseMatrix<T> {
-        let sites = (self.sites, self.springs.as_slice());
-        bending::reduce(self.beams(bending, zeta), sites, support)
+        let rates = Rates::at(&self.weights, zeta);
+        let at_sites = bending::at_sites(&self.at_sites, rates.acceleration);
+        bending::reduce(self.beams(bending, rates), &at_sites, support)
     }
 
     /// In bending: moments at some places (row) from forces at the sites (column), N m/N, of a string
@@ -120,15 +119,16 @@ impl<'a> ElementChain<'a> {
         zeta: T,
         cut: &SitesAndPlaces,
     ) -> Vec<T> {
-        bending::moments(self.beams(bending, zeta), &self.springs, support, cut)
+        let rates = Rates::at(&self.weights, zeta);
+        let at_sites = bending::at_sites(&self.at_sites, rates.acceleration);
+        bending::moments(self.beams(bending, rates), &at_sites, support, cut)
     }
 
     fn beams<T: Number>(
         &self,
         bending: &Bending,
-        zeta: T,
+        rates: Rates<T>,
     ) -> impl Iterator<Item = Option<Beam<T>>> {
-        let rates = Rates::at(&self.weights, zeta);
         let loss = self.loss.at(|| rates.trapezoidal);
         let tube = move |around: Surroundings, tube: &Tube| {
             let (count, element) = divided(tube, self.longest);
@@ -148,7 +148,7 @@ impl ElementChain<'_> {
     pub fn admittance<T: Number>(&self, zeta: T) -> TorsionAdmittance<T> {
         let rates = Rates::at(&self.weights, zeta);
         let drive = self.drive(rates);
-        torsion::reduce(self.rows(rates), self.sites, T::real(1.0), drive)
+        torsion::reduce(self.rows(rates), self.at_sites.len(), T::real(1.0), drive)
     }
 
     /// How the surface moves below its drive; `None` without one.
@@ -156,7 +156,7 @@ impl ElementChain<'_> {
         let rates = Rates::at(&self.weights, zeta);
         let drive = self.drive(rates)?;
         let (rows, rate) = (self.rows(rates), T::real(1.0));
-        Some(torsion::at_surface(rows, self.sites, rate, drive))
+        Some(torsion::at_surface(rows, self.at_sites.len(), rate, drive))
     }
 
     /// Torque with which the surface has to be turned per unit of the speed that it is set to,

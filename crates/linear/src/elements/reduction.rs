@@ -170,7 +170,7 @@ impl CondensedBeam {
         weights: Weights,
     ) -> Result<Self, BuildError> {
         let mesh = Mesh::new(string, Channel::Bending, sites, elements_per_cell)?;
-        let matrices = beam::assemble(string, bending, support, (&mesh, sites.springs()))?;
+        let matrices = beam::assemble(string, bending, support, (&mesh, sites))?;
         let held = support.held();
         let sites = mesh.site_nodes.iter().map(|node| 2 * node - held).collect();
         Ok(Self {

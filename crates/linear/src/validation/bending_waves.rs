@@ -307,7 +307,7 @@ fn tube_by_tube(
         }
         left -= above;
     }
-    reduce(spans.into_iter(), (2, &[]), support)
+    reduce(spans.into_iter(), &[0.0.into(); 2], support)
 }
 
 proptest! {

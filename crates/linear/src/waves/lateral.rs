@@ -21,7 +21,7 @@
 use num_complex::Complex64;
 
 use super::bending::{Resistance, endless, uniform};
-use crate::assembly::bending::{Beam, moments, reduce};
+use crate::assembly::bending::{Beam, at_sites, moments, reduce};
 use crate::assembly::chain::hanging;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::number::Number;
@@ -30,7 +30,7 @@ use crate::channel::Channel;
 use crate::distributed_loss::{Interpolated, LossAlong};
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::DrillstringError;
-use crate::sites::{Sites, SitesAndPlaces};
+use crate::sites::{AtSite, Sites, SitesAndPlaces};
 use crate::spans::SurroundedSpan;
 use crate::surroundings::Surroundings;
 
@@ -41,9 +41,8 @@ pub struct BendingNetwork<'a> {
     bending: Bending,
     support: SurfaceSupport,
     spans: Vec<SurroundedSpan>,
-    sites: usize,
-    /// What holds each site sideways, N/m; nothing where nothing does.
-    springs: Vec<f64>,
+    /// What is at each site besides the string.
+    at_sites: Vec<AtSite>,
     loss: LossAlong<Interpolated>,
 }
 
@@ -67,8 +66,7 @@ impl<'a> BendingNetwork<'a> {
             support,
             loss: LossAlong::exact(string, Channel::Bending, &spans),
             spans,
-            sites: sites.len(),
-            springs: sites.springs().to_vec(),
+            at_sites: sites.loads(),
         })
     }
 
@@ -84,8 +82,7 @@ impl<'a> BendingNetwork<'a> {
     ) -> Result<Self, DrillstringError> {
         let mut below = Self::new(string, bending, SurfaceSupport::Pinned, sites)?;
         below.spans.remove(0);
-        below.sites -= 1;
-        below.springs = below.springs.split_off(1.min(below.springs.len()));
+        below.at_sites.remove(0);
         Ok(below)
     }
 
@@ -104,13 +101,15 @@ impl<'a> BendingNetwork<'a> {
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance<T: Number>(&self, s: T) -> ResponseMatrix<T> {
-        reduce(self.pieces(s), (self.sites, &self.springs), self.support)
+        let at_sites = at_sites(&self.at_sites, s * s);
+        reduce(self.pieces(s), &at_sites, self.support)
     }
 
     /// Bending moment at each of some places (row) per unit force at each site (column), N m/N, of a
     /// string cut at both, at the Laplace variable `s` (rad/s, not zero).
     pub(crate) fn moments<T: Number>(&self, s: T, cut: &SitesAndPlaces) -> Vec<T> {
-        moments(self.pieces(s), &self.springs, self.support, cut)
+        let at_sites = at_sites(&self.at_sites, s * s);
+        moments(self.pieces(s), &at_sites, self.support, cut)
     }
 
     fn pieces<T: Number>(&self, s: T) -> impl Iterator<Item = Option<Beam<T>>> {
@@ -146,9 +145,9 @@ mod tests {
     use super::*;
     use crate::validation::academic;
 
-    /// Springs K on receptances D without them leave (1 + D K)⁻¹ D.
+    /// Springs and masses of stiffness K on receptances D without them leave (1 + D K)⁻¹ D.
     #[test]
-    fn sites_held_by_springs_answer_as_those_without_and_springs_do() {
+    fn sites_with_springs_and_masses_answer_as_those_without_and_these_do() {
         let string = academic::string();
         let bending = Bending {
             youngs_modulus: 210e9,
@@ -157,7 +156,9 @@ mod tests {
         };
         let sites = Sites::new(&string, &[120.0, 33.0, 0.0]).unwrap();
         let springs = [2e4, 0.0, 3e5];
+        let masses = [0.0, 300.0, 80.0];
         let held = sites.clone().held_by(springs.to_vec()).unwrap();
+        let held = held.carrying(masses.to_vec()).unwrap();
         for support in [
             SurfaceSupport::Free,
             SurfaceSupport::Pinned,
@@ -170,7 +171,7 @@ mod tests {
                 let (found, free) = (network(&held).receptance(s), network(&sites).receptance(s));
                 let left = Mat::from_fn(3, 3, |row, column| {
                     let own = if row == column { 1.0 } else { 0.0 };
-                    free[(row, column)] * springs[column] + own
+                    free[(row, column)] * (s * s * masses[column] + springs[column]) + own
                 });
                 let right = Mat::from_fn(3, 3, |row, column| free[(row, column)]);
                 let expected = equations::solve_complex(&left, &right);
@@ -189,11 +190,15 @@ mod tests {
     }
 
     #[test]
-    fn springs_of_other_sites_or_that_push_are_refused() {
+    fn springs_and_masses_of_other_sites_or_below_zero_are_refused() {
         let held = |springs: &[f64]| Sites::bit().held_by(springs.to_vec());
-        assert!(held(&[1e5]).is_ok());
-        for springs in [&[][..], &[1.0, 2.0], &[-1.0], &[f64::NAN], &[f64::INFINITY]] {
-            assert!(held(springs).is_err(), "{springs:?}");
+        let carrying = |masses: &[f64]| Sites::bit().carrying(masses.to_vec());
+        assert!(held(&[1e5]).is_ok() && carrying(&[1e3]).is_ok());
+        for numbers in [&[][..], &[1.0, 2.0], &[-1.0], &[f64::NAN], &[f64::INFINITY]] {
+            assert!(
+                held(numbers).is_err() && carrying(numbers).is_err(),
+                "{numbers:?}"
+            );
         }
     }
 }

@@ -239,6 +239,7 @@ class Drillstring:
         elements_per_cell: int = 20,
         gamma: float = 0.52,
         beta: float | None = None,
+        masses: Sequence[float] | None = None,
     ) -> Responses: ...
     def torsion_response(
         self, frequencies: Iterable[float], *, sites: Sequence[float] | None = None

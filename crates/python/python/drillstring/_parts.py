@@ -112,7 +112,11 @@ class Impulse:
 
 @dataclass(frozen=True)
 class EccentricMass:
-    """An unbalanced mass that turns with the string."""
+    """An unbalanced mass that turns with the string.
+
+    With ``responses(masses=...)`` the string carries it, which is exact; without, its force is that of
+    Section 5.2.3, right well below the first critical speed in bending.
+    """
 
     mass: float  #: kg
     offset: float  #: m

@@ -1,11 +1,13 @@
 //! Steady forward whirl: an eccentric mass takes the string round with it, in the air or along
 //! the wall.
 //!
-//! The mass m_e is off the centre by d and turns with the string at its speed Ω. If the centre
-//! goes round by a radius r there, its force is m_e (d + r) Ω². With H(iΩ) the receptance and no
-//! wall, its size follows from that radius, |H_mm| F:
+//! The mass m_e is off the centre by d and turns with the string at its speed Ω. With H(iΩ) the
+//! receptance of the string that carries it, its force is F = m_e d Ω², and with no wall any site
+//! goes round at |H_jm| F. It reaches its clearance c_j where its **reach** m_e d Ω² |H_jm|/c_j equals
+//! one. In the form of the paper the string does not carry it, and where the centre goes round by
+//! a radius r there its force is m_e (d + r) Ω². Its size follows from that radius, |H_mm| F:
 //!
-//! F = m_e d Ω² / (1 − m_e Ω² |H_mm|), and any site goes round at |H_jm| F.
+//! F = m_e d Ω² / (1 − m_e Ω² |H_mm|).
 //! So a site reaches its clearance c_j where its **reach** m_e Ω² (d |H_jm|/c_j + |H_mm|) equals
 //! one; there is no other limit to the radius where m_e Ω² |H_mm| equals one. No resonance can be
 //! missed between two speeds: −H maps the quarter plane of [`super::variation`] into the upper half
@@ -47,6 +49,9 @@ pub struct EccentricString<H> {
     pub walls: Vec<Wall>,
     /// The mass, at one of the sites.
     pub mass: EccentricMass,
+    /// Whether the receptance is that of the string that carries it; else its force is that of the
+    /// paper.
+    pub is_carried: bool,
     /// The receptance H at the sites, row by row (m/N), at a rate (rad/s).
     pub receptance: H,
     /// How fast oscillations decay at least, as of [`super::WhirlingSite`].
@@ -79,7 +84,8 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
     /// the way; none where nothing else limits it.
     pub fn free_radii(&self, surface_speed: f64) -> Option<Vec<f64>> {
         let here = self.sample(surface_speed);
-        let [mass, per_radius] = [self.mass.offset, 1.0].map(|it| self.mass_force(&here, it));
+        let mass = self.mass_force(&here, 0.0);
+        let per_radius = self.mass_force(&here, 1.0) - mass;
         let at_mass = here.between(self.mass.site, self.mass.site).norm();
         let left = 1.0 - per_radius * at_mass;
         let radius = |site| mass / left * here.between(site, self.mass.site).norm();
@@ -114,7 +120,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
     pub fn in_contact_at(&self, site: usize, surface_speed: f64) -> Option<ForwardWhirl> {
         let here = self.sample(surface_speed);
         let excess = |normal_force: f64| self.excess(&here, site, normal_force);
-        let scale = self.mass_force(&here, self.mass.offset);
+        let scale = self.mass_force(&here, 0.0);
         let force = |step: i32| {
             let part = f64::from(step) / f64::from(FORCES);
             scale * LEAST_FORCE * (MOST_FORCE / LEAST_FORCE).powf(part)
@@ -153,8 +159,9 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
         }
     }
 
-    /// Of the mass at an arm (m), N.
-    pub(super) fn mass_force(&self, here: &Sample, arm: f64) -> f64 {
+    /// The force of the mass where the string goes round at a radius (m), N.
+    pub(super) fn mass_force(&self, here: &Sample, radius: f64) -> f64 {
+        let arm = self.mass.offset + if self.is_carried { 0.0 } else { radius };
         self.mass.mass * here.rate * here.rate * arm
     }
 
@@ -170,7 +177,8 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
         let scale = self.mass.mass * surface_speed * surface_speed;
         let reach = |site: usize| {
             let in_clearances = self.mass.offset / self.walls[site].clearance * most(site);
-            (site, scale * (in_clearances + most(mass)))
+            let by_radius = if self.is_carried { 0.0 } else { most(mass) };
+            (site, scale * (in_clearances + by_radius))
         };
         let reaches = (0..self.walls.len()).map(reach);
         // What is no number counts as the greatest.
@@ -232,7 +240,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
         let mass = self.mass.site;
         let (force, by_wall) = self.forces(here, site, normal_force);
         let at_mass = here.between(mass, mass) * force - here.between(mass, site) * by_wall;
-        force.norm() - self.mass_force(here, self.mass.offset + at_mass.norm())
+        force.norm() - self.mass_force(here, at_mass.norm())
     }
 }
 

@@ -4,7 +4,8 @@
 //! r_j = ρ_j e^(iφ_j), where the wall yields by N_j = k_c (ρ_j − c_j)^(3/2) and friction holds back
 //! what slides, so that
 //!
-//! r = H_m F − Σ H_j (1 + iμ_j) N_j e^(iφ_j) and F = m_e Ω² (d + |r_m|).
+//! r = H_m F − Σ H_j (1 + iμ_j) N_j e^(iφ_j) and F = m_e Ω² d, or in the form of the paper
+//! m_e Ω² (d + |r_m|).
 //!
 //! These are as many equations as unknowns N_j, φ_j and F. The set grows from one site by that which
 //! is farthest beyond its clearance: its wall is brought in from where the string is, in steps from
@@ -52,7 +53,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
         let balance = Balance {
             string: self,
             here: &here,
-            size: self.mass_force(&here, self.mass.offset),
+            size: self.mass_force(&here, 0.0),
         };
         let mut state = State {
             force: force.norm() / balance.size,
@@ -139,9 +140,8 @@ impl<H: Fn(f64) -> Vec<Complex64>> Balance<'_, H> {
             let left = self.displacement(state, touching.site) - there;
             [left.re, left.im].map(|part| part / touching.clearance)
         };
-        let mass = &self.string.mass;
-        let arm = mass.offset + self.displacement(state, mass.site).norm();
-        let of_mass = state.force - self.string.mass_force(self.here, arm) / self.size;
+        let radius = self.displacement(state, self.string.mass.site).norm();
+        let of_mass = state.force - self.string.mass_force(self.here, radius) / self.size;
         let mut left: Vec<f64> = state.touching.iter().flat_map(of_site).collect();
         left.push(of_mass);
         left

@@ -747,6 +747,7 @@ fn forward_whirl_against_several_walls_balances_every_force() {
         let string = EccentricString {
             walls: clearances.iter().map(wall).collect(),
             mass,
+            is_carried: false,
             receptance: |rate| masses.receptance(count, rate),
             decay: BendingDecay::constant(masses.decay_rate),
         };

@@ -125,7 +125,7 @@ pub(crate) fn bent(
         sites,
         parameters.elements_per_cell,
     )?;
-    let matrices = beam::assemble(string, bending, support, (&mesh, sites.springs()))?;
+    let matrices = beam::assemble(string, bending, support, (&mesh, sites))?;
     let (held, nodes) = (support.held(), mesh.site_nodes.clone());
     let seen = Seen::Displacement;
     let channel = SteppedChannel::new(&matrices, held, weights, seen, nodes)?;
