@@ -126,7 +126,7 @@ impl TrueType {
     }
 }
 
-/// Adds a glyph of `count` curves of its own.
+/// Adds a glyph with its own `count` curves.
 fn add_simple(
     outline: &[u8],
     count: usize,
