@@ -40,8 +40,11 @@ if [[ $host == *-linux-gnu ]]; then
     zig=$("$python" -c 'import ziglang; print(ziglang.__path__[0])')/zig
     export CARGO_ZIGBUILD_ZIG_PATH=$zig ZIG_GLOBAL_CACHE_DIR=$CARGO_TARGET_DIR/zig-cache
     linker=$CARGO_TARGET_DIR/link-for-glibc-$glibc
-    printf '#!/bin/sh\nexec "%s" zig cc -- -g -target %s-linux-gnu.%s "$@"\n' \
-        "$PWD/$venv/bin/maturin" "${host%%-*}" "$glibc" >"$linker"
+    # Zig links its own unwinder in place of libgcc_s, which each Linux has: a thread that
+    # Python ends by pthread_exit is unwound by libgcc_s and crashes in frames that ask the other.
+    unwinder=$(cc -print-file-name=libgcc_s.so.1)
+    printf '#!/bin/sh\nexec "%s" zig cc -- -g -target %s-linux-gnu.%s "$@" "%s"\n' \
+        "$PWD/$venv/bin/maturin" "${host%%-*}" "$glibc" "$unwinder" >"$linker"
     chmod +x "$linker"
     options+=(--compatibility "manylinux_${glibc/./_}")
     linking+=(-- -C "linker=$linker")

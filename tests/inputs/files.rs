@@ -481,6 +481,11 @@ fn workbooks_are_read_cell_by_cell_and_hostile_ones_are_refused() {
     }
     let cell = |place: &str| format!("<row><c r=\"{place}\"><v>1</v></c></row>");
     let many = format!("<row>{}</row>", "<c><v>1</v></c>".repeat(2000));
+    let attributes = |count: usize| {
+        (0..count)
+            .map(|at| format!(" a{at}=\"1\""))
+            .collect::<String>()
+    };
     let ods_row =
         |cell: &str| crate::workbook::ods_of(&format!("<table:table-row>{cell}</table:table-row>"));
     for (name, bytes, words) in [
@@ -508,6 +513,16 @@ fn workbooks_are_read_cell_by_cell_and_hostile_ones_are_refused() {
             "s.xlsx",
             crate::workbook::xlsx_of("", &"<si/>".repeat(11_000_000)),
             "it has more than 48 MiB once it is unpacked",
+        ),
+        (
+            "s.xlsx",
+            crate::workbook::xlsx_of(&format!("<row{}/>", attributes(50_000)), ""),
+            "a tag of it has more than the 256 attributes that are read",
+        ),
+        (
+            "s.ods",
+            ods_row(&format!("<table:table-cell{}/>", attributes(50_000))),
+            "a tag of it has more than the 256 attributes that are read",
         ),
         (
             "s.ods",

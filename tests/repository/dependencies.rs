@@ -109,3 +109,25 @@ fn what_is_generic_and_large_is_compiled_once() {
     }
     assert_eq!(callers, BTreeSet::from(["numerics".to_owned()]));
 }
+
+/// Where the list of known vulnerabilities cannot be reached. `scripts/check-advisories.sh` renews it.
+#[test]
+fn each_package_was_held_against_the_list_of_known_vulnerabilities() {
+    let checked = fs::read_to_string(root().join(".ci/advisories.txt")).unwrap();
+    let checked: BTreeSet<&str> = checked.lines().collect();
+    let lock: toml::Table = (fs::read_to_string(root().join("Cargo.lock")).unwrap())
+        .parse()
+        .unwrap();
+    let packages = lock["package"].as_array().unwrap();
+    let of_others = packages.iter().filter(|it| it.get("source").is_some());
+    let unchecked: Vec<String> = of_others
+        .map(|it| {
+            ["name", "version"]
+                .map(|key| it[key].as_str().unwrap())
+                .join(" ")
+        })
+        .filter(|package| !checked.contains(package.as_str()))
+        .collect();
+    assert!(unchecked.is_empty(), "not checked: {unchecked:?}");
+    assert!(packages.len() > 100);
+}

@@ -2,74 +2,67 @@
 
 use std::sync::LazyLock;
 
-use tiny_skia::{PathSegment, Point};
-use ttf_parser::{Face, GlyphId, OutlineBuilder};
+use tiny_skia::PathSegment;
+
+use super::truetype::{Contour, TrueType};
 
 /// Latin-1, Greek, sub- and superscripts of DejaVu Sans.
 pub(crate) static FILE: &[u8] = include_bytes!("fonts/DejaVuSans.ttf");
 /// The family name inside [`FILE`].
 pub(crate) const FAMILY: &str = "DejaVu Sans";
 
-/// [`FILE`] is part of the program: it is a font.
-static FONT: LazyLock<Face<'static>> =
-    LazyLock::new(|| Face::parse(FILE, 0).expect("the embedded file is a font"));
+/// [`FILE`] is part of the program: it is a font, and all its glyphs can be read.
+const IS_A_FONT: &str = "the embedded file is a font";
+
+static FONT: LazyLock<TrueType> = LazyLock::new(|| TrueType::parse(FILE).expect(IS_A_FONT));
 
 /// A font size in the units of all lengths in the file.
 fn em() -> f32 {
-    f32::from(FONT.units_per_em())
+    f32::from(FONT.units_per_em)
 }
 
 /// What stands for a letter, or for one that the font lacks.
-fn glyph(letter: char) -> GlyphId {
-    FONT.glyph_index(letter).unwrap_or(GlyphId(0))
+fn glyph(letter: char) -> u16 {
+    FONT.glyph(letter).unwrap_or(0)
 }
 
 /// The distance from a letter to the next, in font sizes.
 pub(crate) fn advance(letter: char) -> f32 {
-    let width = FONT.glyph_hor_advance(glyph(letter));
-    f32::from(width.unwrap_or(0)) / em()
+    f32::from(FONT.width(glyph(letter)).expect(IS_A_FONT)) / em()
 }
 
 /// The outline of a letter that begins at the origin, each place given by `place` from x and y in
 /// font sizes, y upwards from the baseline.
 pub(crate) fn outline(letter: char, place: impl Fn(f32, f32) -> (f32, f32)) -> Vec<PathSegment> {
-    let mut pen = Pen {
-        place: |x: f32, y: f32| place(x / em(), y / em()).into(),
-        path: Vec::new(),
+    let contours = FONT.contours(glyph(letter)).expect(IS_A_FONT);
+    let mut path = Vec::new();
+    for contour in contours {
+        add_contour(&contour, &place, &mut path);
+    }
+    path
+}
+
+/// Adds a closed curve to an outline.
+fn add_contour(
+    contour: &Contour,
+    place: impl Fn(f32, f32) -> (f32, f32),
+    path: &mut Vec<PathSegment>,
+) {
+    let mut places = (contour.iter().chain(contour.first()))
+        .map(|point| (place(point.x / em(), point.y / em()).into(), point.is_on));
+    let Some((begin, _)) = places.next() else {
+        return;
     };
-    // A letter without an outline is a blank.
-    let _ = FONT.outline_glyph(glyph(letter), &mut pen);
-    pen.path
-}
-
-/// Collects an outline, each place given by `place` from x and y in the units of the file.
-struct Pen<P> {
-    place: P,
-    path: Vec<PathSegment>,
-}
-
-impl<P: Fn(f32, f32) -> Point> OutlineBuilder for Pen<P> {
-    fn move_to(&mut self, x: f32, y: f32) {
-        self.path.push(PathSegment::MoveTo((self.place)(x, y)));
+    path.push(PathSegment::MoveTo(begin));
+    let mut control = None;
+    for (point, is_on) in places {
+        match (is_on, control.take()) {
+            (false, _) => control = Some(point),
+            (true, None) => path.push(PathSegment::LineTo(point)),
+            (true, Some(control)) => path.push(PathSegment::QuadTo(control, point)),
+        }
     }
-
-    fn line_to(&mut self, x: f32, y: f32) {
-        self.path.push(PathSegment::LineTo((self.place)(x, y)));
-    }
-
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        let [by, end] = [(x1, y1), (x, y)].map(|(x, y)| (self.place)(x, y));
-        self.path.push(PathSegment::QuadTo(by, end));
-    }
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let [one, two, end] = [(x1, y1), (x2, y2), (x, y)].map(|(x, y)| (self.place)(x, y));
-        self.path.push(PathSegment::CubicTo(one, two, end));
-    }
-
-    fn close(&mut self) {
-        self.path.push(PathSegment::Close);
-    }
+    path.push(PathSegment::Close);
 }
 
 #[cfg(test)]
@@ -94,16 +87,11 @@ mod tests {
     /// All but the two blanks and what stands for a letter that the font lacks.
     #[test]
     fn every_outline_of_the_font_can_be_read() {
-        let is_blank = |glyph| {
-            let mut pen = Pen {
-                place: |x, y| Point { x, y },
-                path: Vec::new(),
-            };
-            FONT.outline_glyph(GlyphId(glyph), &mut pen).is_none()
-        };
-        let blanks = (0..FONT.number_of_glyphs()).filter(|&glyph| is_blank(glyph));
-        let known = ['\u{10FFFD}', ' ', '\u{a0}'].map(|letter| glyph(letter).0);
-        assert_eq!(blanks.collect::<Vec<_>>(), known);
+        let glyphs = (0..).map_while(|glyph| FONT.width(glyph).map(|_| glyph));
+        let is_blank = |glyph: &u16| FONT.contours(*glyph).unwrap().is_empty();
+        let (blanks, drawn): (Vec<u16>, Vec<u16>) = glyphs.partition(is_blank);
+        assert_eq!(blanks, ['\u{10FFFD}', ' ', '\u{a0}'].map(glyph));
+        assert_eq!(drawn.len(), 489);
     }
 
     /// As the file has it, of 2048 units.

@@ -58,6 +58,7 @@ mod shapes;
 mod svg;
 mod symbols;
 mod text;
+mod truetype;
 
 pub use bands::{BandChart, BandPanel, Bar, COLUMNS, band_chart};
 pub use campbell::{CampbellPanel, campbell};

@@ -4,13 +4,13 @@ use std::fmt::Display;
 
 use campaign::sweep_file::SweepFileError as FileError;
 use pyo3::create_exception;
-use pyo3::exceptions::{PyException, PyUserWarning};
+use pyo3::exceptions::{PyUserWarning, PyValueError};
 use pyo3::prelude::*;
 
 create_exception!(
     drillstring,
     DrillstringError,
-    PyException,
+    PyValueError,
     "Invalid input, or a case without an answer."
 );
 

@@ -10,6 +10,7 @@ use sim::{LoadLine, SceneError, TabulatedFriction, TorqueLaw, WallLaw};
 
 use crate::convert;
 use crate::errors::refused;
+use crate::wait::call_python;
 
 /// Times that laws are asked between two looks at signals.
 const BETWEEN_LOOKS: usize = 4096;
@@ -42,7 +43,7 @@ impl<'py> Interruption<'py> {
             return None;
         }
         self.look();
-        call()
+        call_python(call)
             .map_err(|error| self.raised.replace(Some(error)))
             .ok()
     }

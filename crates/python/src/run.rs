@@ -20,7 +20,7 @@ use rayon::ThreadPool;
 use crate::errors::{refused, warn};
 use crate::read::ReadSweep;
 use crate::table::{Column, by_name, columns};
-use crate::wait::{wait_for, watch};
+use crate::wait::{call_python, wait_for, watch};
 
 /// What a row takes in addition to its values, bytes: its record, and its fields in the table.
 const ROW: usize = size_of::<Record>() + 32 * size_of::<f64>();
@@ -96,7 +96,7 @@ pub fn run<'py>(
         progress: Arc::clone(&shared),
     };
     let look = || match &progress {
-        Some(progress) => progress.call1(shared.counts()).map(drop),
+        Some(progress) => call_python(|| progress.call1(shared.counts())).map(drop),
         None => Ok(()),
     };
     let made = watch(py, move || pool.install(|| running.table()), &look);

@@ -143,6 +143,7 @@ impl Drillstring {
         let method = convert::method(method, transform, elements)?;
         elements.check().map_err(refused)?;
         let mut sites = self.sites(sites)?;
+        check_number_of_sites(&sites)?;
         if let Some(masses) = masses {
             sites = sites.carrying(masses).map_err(refused)?;
         }
@@ -200,7 +201,8 @@ impl Drillstring {
         Bound<'py, PyArrayDyn<Complex>>,
         Bound<'py, PyArrayDyn<Complex>>,
     )> {
-        let (frequencies, sites) = (numbers(frequencies)?, self.sites(sites)?);
+        let sites = self.sites(sites)?;
+        let frequencies = finite_frequencies(frequencies, |_| true)?;
         fits(RESPONSE * frequencies.len() as f64 * (sites.len() as f64).powi(2))?;
         let shape = [frequencies.len(), sites.len()];
         let string = self.string.clone();
@@ -235,7 +237,8 @@ impl Drillstring {
         bending: Bending,
         sites: Option<Vec<f64>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<Complex>>> {
-        let (frequencies, sites) = (numbers(frequencies)?, self.sites(sites)?);
+        let sites = self.sites(sites)?;
+        let frequencies = finite_frequencies(frequencies, |frequency| frequency != 0.0)?;
         let (bending, support) = bending.resolve()?;
         fits(RESPONSE * frequencies.len() as f64 * (sites.len() as f64).powi(2))?;
         let shape = [frequencies.len(), sites.len()];
@@ -317,6 +320,44 @@ fn fits(bytes: f64) -> PyResult<()> {
     Err(refused(format_args!(
         "it would take {takes}, more than the limit: {limit}"
     )))
+}
+
+/// Most sites between which responses are built, in minutes: the time grows faster than their number.
+const MOST_SITES: usize = 500;
+
+/// Refuses more sites than responses are built for.
+///
+/// # Errors
+/// Where there are more.
+pub fn check_number_of_sites(sites: &Sites) -> PyResult<()> {
+    if sites.len() <= MOST_SITES {
+        return Ok(());
+    }
+    Err(refused(format_args!(
+        "{} sites are more than the {MOST_SITES} between which responses are built",
+        sites.len()
+    )))
+}
+
+/// The frequencies that an argument gives, Hz, all finite and of those that have a response.
+fn finite_frequencies(
+    argument: &Bound<'_, PyAny>,
+    has_response: impl Fn(f64) -> bool,
+) -> PyResult<Vec<f64>> {
+    let frequencies = numbers(argument)?;
+    let is_wrong = |frequency: &f64| !frequency.is_finite() || !has_response(*frequency);
+    match frequencies.iter().position(is_wrong) {
+        None => Ok(frequencies),
+        Some(place) => Err(refused(format_args!(
+            "`frequencies[{place}]` is {}, but must be a finite number of Hz{}",
+            frequencies[place],
+            if has_response(0.0) {
+                ""
+            } else {
+                " other than zero"
+            }
+        ))),
+    }
 }
 
 impl Drillstring {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use campaign::engine::{Recipe, RunOptions};
 use campaign::memory::{Limit, Size};
+use linear::Method;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use results::window::WindowAsked;
@@ -19,7 +20,7 @@ use crate::responses::Responses;
 use crate::run::run;
 use crate::simulate::{Asked, Simulation, simulate};
 use crate::static_string::{Parts, static_string};
-use crate::string::Drillstring;
+use crate::string::{Drillstring, check_number_of_sites};
 use crate::wait::wait_for;
 
 /// A sweep, ready to run.
@@ -197,6 +198,10 @@ impl Sweep {
     #[pyo3(signature = (method = None))]
     fn responses(&self, py: Python<'_>, method: Option<&str>) -> PyResult<Responses> {
         let method = self.0.campaign.sweep.methods[self.0.place_of(method)?];
+        // Elements are stepped where sites are many.
+        if !matches!(method, Method::FiniteElement(_)) {
+            check_number_of_sites(&self.0.campaign.sweep.setting.sites)?;
+        }
         let longest = self.0.look(py)?.longest;
         let campaign = Arc::clone(&self.0.campaign);
         let built = wait_for(py, move || {

@@ -1,4 +1,5 @@
-//! Work in threads of Rust, while the thread that asked for it looks for Ctrl-C.
+//! Work in threads of Rust, while the thread that asked for it looks for Ctrl-C; calls of functions
+//! of Python, in which that thread may end.
 
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
@@ -52,4 +53,26 @@ pub fn wait_for<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
     watch(py, work, &|| Ok(()))
+}
+
+/// Calls a function of Python. Before 3.14 an interpreter that exits ends its daemon threads where
+/// they are, in such a function, too, by an unwinding that no Rust may catch (glibc then aborts). It
+/// ends here: the thread sleeps until the process has ended, as PyO3 has it where a thread waits
+/// for the interpreter.
+pub fn call_python<T>(function: impl FnOnce() -> T) -> T {
+    let guard = SleepsForEver;
+    let answer = function();
+    std::mem::forget(guard);
+    answer
+}
+
+/// Sleeps where it is dropped, but for a panic, which is caught further on.
+struct SleepsForEver;
+
+impl Drop for SleepsForEver {
+    fn drop(&mut self) {
+        while !thread::panicking() {
+            thread::park();
+        }
+    }
 }

@@ -2,6 +2,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -127,3 +129,30 @@ def test_what_progress_raises_ends_a_run():
         ds.Sweep.from_dict(LONG).run(progress=progress, memory="64G")
     assert calls[-1][0] > 100
     assert {total for _, total in calls} <= {0, 3_000_000}
+
+
+DAEMON = """
+import threading, time
+import drillstring as ds
+
+sweep = ds.Sweep.read("sweeps/fig08b.toml")
+
+def look(done, total):
+    sum(range(10**6))
+
+def work():
+    while True:
+        sweep.run(progress={progress})
+
+threading.Thread(target=work, daemon=True).start()
+time.sleep(0.5)
+"""
+
+
+@pytest.mark.parametrize("progress", ["None", "look"])
+def test_an_interpreter_exits_while_a_daemon_thread_is_in_the_package(progress):
+    """It was ended by a signal: most often without a function of Python, now and then within one."""
+    for _ in range(5):
+        program = [sys.executable, "-c", DAEMON.format(progress=progress)]
+        ended = subprocess.run(program, capture_output=True, text=True, timeout=60)
+        assert (ended.returncode, ended.stderr) == (0, "")

@@ -231,9 +231,9 @@ def test_a_wall_without_a_place_is_refused(string, clearance):
 
 
 def test_what_would_take_all_memory_is_refused(string):
-    with pytest.raises(ds.DrillstringError, match="limit|too long|taps"):
+    with pytest.raises(ds.DrillstringError, match="limit|too long|taps|more than the 500"):
         string.responses(longest_time=100, sites=list(np.linspace(0, 99, 5000)), bending=BENDING)
-    with pytest.raises(ds.DrillstringError, match="limit|too long|taps"):
+    with pytest.raises(ds.DrillstringError, match="limit|too long|taps|more than the 500"):
         string.responses(longest_time=100, sampling_frequency=1e9)
     with pytest.raises(ds.DrillstringError, match="limit"):
         string.torsional_modes(3, depths=10**9)
@@ -245,3 +245,24 @@ def test_an_impulse_without_a_wall_is_refused(string):
     responses = string.responses(longest_time=3)
     with pytest.raises(ds.DrillstringError, match="need walls"):
         responses.simulate(6.0, 3, impulses=[ds.Impulse(amount=1000)])
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
+def test_frequencies_without_a_response_are_refused_by_their_place(value):
+    string = ds.Sweep.read("sweeps/fig08b.toml").string
+    for ask, allowed in [
+        (string.torsion_response, 0.0),
+        (lambda frequencies: string.bending_response(frequencies, bending=ds.Bending()), 1e-3),
+    ]:
+        with pytest.raises(ValueError, match=r"`frequencies\[1\]` is .*finite number of Hz"):
+            ask([1.0, value])
+        assert np.isfinite(ask([allowed])[0]).all()
+    with pytest.raises(ds.DrillstringError, match="other than zero"):
+        string.bending_response([0.0], bending=ds.Bending())
+
+
+def test_more_sites_than_responses_are_built_for_are_refused_at_once():
+    string = ds.Sweep.read("sweeps/fig08b.toml").string
+    sites = np.linspace(0, 0.9 * string.length, 2000)
+    with pytest.raises(ds.DrillstringError, match="2000 sites are more than the 500"):
+        string.responses(longest_time=1, sites=sites)

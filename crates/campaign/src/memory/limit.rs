@@ -22,6 +22,13 @@ const GIB: f64 = KIB * KIB * KIB;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Size(pub f64);
 
+impl Size {
+    /// Number of whole bytes in which it fits.
+    pub fn whole_bytes(self) -> u64 {
+        self.0.ceil() as u64
+    }
+}
+
 /// Units by their first letters, each 1024 times the one before.
 const UNITS: [char; 5] = ['B', 'K', 'M', 'G', 'T'];
 

@@ -4,6 +4,9 @@ use std::borrow::Cow;
 
 use super::decimal::{Decimals, NumberError, number_with};
 
+/// Most columns that are read: each may be a heading, with a unit to look for.
+pub const MOST_COLUMNS: usize = 1000;
+
 /// A cell.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {

@@ -5,7 +5,7 @@
 use csv::{Position, StringRecord};
 use thiserror::Error;
 
-use super::grid::{Cell, Line, TextGrid};
+use super::grid::{Cell, Line, MOST_COLUMNS, TextGrid};
 use super::header::{LINES_SEARCHED, find};
 use super::heading::Heading;
 use crate::words::counted;
@@ -173,7 +173,8 @@ pub fn grid(text: &str) -> Result<TextGrid, Mistake> {
     loop {
         let row = rows.next();
         for (number, comment) in rows.comments.drain(..) {
-            let cells = cells_of_comment(&comment, table.separator);
+            let mut cells = cells_of_comment(&comment, table.separator);
+            cells.truncate(MOST_COLUMNS);
             lines.push(line(number, &cells, true));
         }
         match row {
@@ -308,6 +309,13 @@ impl Iterator for Rows<'_> {
                 }
                 Ok(false) => return None,
                 Ok(true) if is_comment || filled(&cells) == 0 => {}
+                Ok(true) if cells.len() > MOST_COLUMNS => {
+                    let message = format!(
+                        "{} columns, more than the {MOST_COLUMNS} that are read",
+                        cells.len()
+                    );
+                    return Some(Err(Mistake { line, message }));
+                }
                 Ok(true) => return Some(Ok(HandRow { line, cells })),
             }
         }
@@ -335,5 +343,18 @@ mod tests {
         assert_eq!(table.header_mistake("").line, 3);
         assert_eq!(rows("a,b\r1,2\r3,4\r").len(), 2);
         assert!(rows("").is_empty());
+    }
+
+    /// A hundred thousand took eight seconds.
+    #[test]
+    fn more_columns_than_any_table_has_are_refused_with_their_line() {
+        let wide = |columns: usize| vec!["1"; columns].join(",");
+        for text in [wide(100_000), format!("a,b\n# {}\n{0}", wide(100_000))] {
+            let mistake = grid(&text).unwrap_err().to_string();
+            let line = text.lines().count();
+            let expected = format!("{line}: 100000 columns, more than the 1000 that are read");
+            assert_eq!(mistake, expected);
+        }
+        assert_eq!(rows(&format!("{0}\n{0}", wide(1000)))[0].1.len(), 1000);
     }
 }

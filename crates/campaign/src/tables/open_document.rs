@@ -4,12 +4,13 @@
 use std::io::{Cursor, Read};
 
 use quick_xml::Reader;
+use quick_xml::escape::unescape;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::name::QName;
 use zip::ZipArchive;
 
-use super::grid::{Cell, Line};
-use super::workbook::{Growing, MOST_COLUMNS, unpacked_size};
+use super::grid::{Cell, Line, MOST_COLUMNS};
+use super::workbook::{Growing, unpacked_size};
 
 /// Its lines, without those that are empty.
 ///
@@ -52,22 +53,22 @@ impl Sheet {
         loop {
             let event = reader.read_event().map_err(|error| error.to_string())?;
             match &event {
-                Event::Start(start) if start.name() == QName(b"table:table") => is_in_table = true,
-                Event::End(end) if end.name() == QName(b"table:table") && is_in_table => {
+                Event::Start(start) if is_named(start.name(), "table:table") => is_in_table = true,
+                Event::End(end) if is_named(end.name(), "table:table") && is_in_table => {
                     return Ok(sheet.grid.lines);
                 }
                 Event::Eof => return Err("it has no whole sheet".to_owned()),
                 _ if !is_in_table => {}
-                Event::Start(start) if start.name() == QName(b"office:annotation") => in_note += 1,
-                Event::End(end) if end.name() == QName(b"office:annotation") => in_note -= 1,
+                Event::Start(start) if is_named(start.name(), "office:annotation") => in_note += 1,
+                Event::End(end) if is_named(end.name(), "office:annotation") => in_note -= 1,
                 _ if in_note > 0 => {}
-                Event::Start(start) if start.name() == QName(b"table:table-row") => {
+                Event::Start(start) if is_named(start.name(), "table:table-row") => {
                     sheet.repeats_row = repeats(start, "table:number-rows-repeated")?;
                 }
-                Event::Empty(start) if start.name() == QName(b"table:table-row") => {
+                Event::Empty(start) if is_named(start.name(), "table:table-row") => {
                     sheet.row += repeats(start, "table:number-rows-repeated")?;
                 }
-                Event::End(end) if end.name() == QName(b"table:table-row") => sheet.end_row()?,
+                Event::End(end) if is_named(end.name(), "table:table-row") => sheet.end_row()?,
                 Event::Start(start) if is_cell(start) => cell = Some(Open::new(start)?),
                 Event::Empty(start) if is_cell(start) => sheet.end_cell(Open::new(start)?),
                 Event::End(end) if is_cell_name(end.name()) => {
@@ -76,21 +77,21 @@ impl Sheet {
                         .for_each(|cell| sheet.end_cell(cell));
                 }
                 Event::Text(text) => {
-                    let text = text.xml_content().map_err(|error| error.to_string())?;
-                    cell.iter_mut().for_each(|cell| cell.text.push_str(&text));
+                    let text = text_of(&**text)?;
+                    cell.iter_mut().for_each(|cell| cell.text.push_str(text));
                 }
                 Event::GeneralRef(entity) => {
-                    let letter = match &**entity {
-                        b"amp" => Some('&'),
-                        b"lt" => Some('<'),
-                        b"gt" => Some('>'),
-                        b"quot" => Some('"'),
-                        b"apos" => Some('\''),
+                    let letter = match text_of(&**entity)? {
+                        "amp" => Some('&'),
+                        "lt" => Some('<'),
+                        "gt" => Some('>'),
+                        "quot" => Some('"'),
+                        "apos" => Some('\''),
                         _ => entity.resolve_char_ref().ok().flatten(),
                     };
                     cell.iter_mut().for_each(|cell| cell.text.extend(letter));
                 }
-                Event::Empty(start) if start.name() == QName(b"text:s") => {
+                Event::Empty(start) if is_named(start.name(), "text:s") => {
                     cell.iter_mut().for_each(|cell| cell.text.push(' '));
                 }
                 _ => {}
@@ -105,7 +106,7 @@ impl Sheet {
         };
         if !content.is_empty() {
             // One beyond those that are read is refused with its place.
-            let copies = cell.repeats.min(u64::from(MOST_COLUMNS) + 1);
+            let copies = cell.repeats.min(MOST_COLUMNS as u64 + 1);
             let column = |copy: u64| self.column.saturating_add(copy);
             (self.cells).extend((0..copies).map(|copy| (column(copy), content.clone())));
         }
@@ -151,7 +152,16 @@ fn is_cell(start: &BytesStart) -> bool {
 }
 
 fn is_cell_name(name: QName) -> bool {
-    name == QName(b"table:table-cell") || name == QName(b"table:covered-table-cell")
+    is_named(name, "table:table-cell") || is_named(name, "table:covered-table-cell")
+}
+
+fn is_named<T: AsRef<[u8]> + ?Sized>(name: impl AsRef<T>, wanted: &str) -> bool {
+    name.as_ref().as_ref() == wanted.as_bytes()
+}
+
+/// Text of what `quick_xml` gives as bytes until 0.41 and as text since 0.42.
+fn text_of<T: AsRef<[u8]> + ?Sized>(content: &T) -> Result<&str, String> {
+    std::str::from_utf8(content.as_ref()).map_err(|error| error.to_string())
 }
 
 fn repeats(start: &BytesStart, name: &str) -> Result<u64, String> {
@@ -163,7 +173,9 @@ fn repeats(start: &BytesStart, name: &str) -> Result<u64, String> {
 
 fn attribute(start: &BytesStart, name: &str) -> Result<Option<String>, String> {
     let attribute = (start.try_get_attribute(name)).map_err(|error| error.to_string())?;
-    let value = attribute.map(|it| it.decode_and_unescape_value(start.decoder()));
-    let value = value.transpose().map_err(|error| error.to_string())?;
-    Ok(value.map(|it| it.into_owned()))
+    let Some(attribute) = attribute else {
+        return Ok(None);
+    };
+    let value = unescape(text_of(&*attribute.value)?).map_err(|error| error.to_string())?;
+    Ok(Some(value.into_owned()))
 }

@@ -5,18 +5,21 @@ use std::io::{Cursor, Read};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use calamine::{DataRef, Reader, Xlsx};
+use quick_xml::events::Event;
 use zip::ZipArchive;
 
-use super::grid::{Cell, Line};
+use super::grid::{Cell, Line, MOST_COLUMNS};
 
 /// Most bytes that the texts of a workbook have once they are unpacked: those of a hundred
 /// thousand rows have a third of it.
 const MOST_BYTES: u64 = 48 << 20;
 
-/// Most rows, columns and cells that are read.
+/// Most rows and cells that are read.
 const MOST_ROWS: u32 = 1 << 20;
-pub const MOST_COLUMNS: u32 = 1000;
 const MOST_CELLS: usize = 2_000_000;
+
+/// Most attributes of a tag that are read. The first tag of a workbook has the most, some forty.
+const MOST_ATTRIBUTES: usize = 256;
 
 /// Its lines, without those that are empty.
 ///
@@ -77,7 +80,7 @@ impl Growing {
                 u64::from(column) + 1
             )
         };
-        if row >= MOST_ROWS || column >= MOST_COLUMNS {
+        if row >= MOST_ROWS || column as usize >= MOST_COLUMNS {
             let most = format!("{MOST_ROWS} rows and {MOST_COLUMNS} columns");
             return Err(format!("{} is beyond the {most} that are read", place()));
         }
@@ -110,26 +113,53 @@ impl Growing {
     }
 }
 
-/// Unpacks what a workbook is read from, to nothing, and counts it.
+/// Unpacks all that a workbook is read from, counts it, and looks at its tags.
 ///
 /// # Errors
 /// Where that is more than is read, or the archive is damaged.
 pub fn unpacked_size(bytes: &[u8]) -> Result<u64, String> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
     let mut size = 0;
+    let mut content = Vec::new();
     for index in 0..archive.len() {
         let file = archive.by_index(index).map_err(|error| error.to_string())?;
-        let name = file.name().to_ascii_lowercase();
-        if !(name.ends_with(".xml") || name.ends_with(".rels")) {
+        let name = file.name_raw().to_ascii_lowercase();
+        if !(name.ends_with(b".xml") || name.ends_with(b".rels")) {
             continue;
         }
+        content.clear();
         let left = MOST_BYTES + 1 - size;
-        size += std::io::copy(&mut file.take(left), &mut std::io::sink())
-            .map_err(|error| error.to_string())?;
+        (file.take(left).read_to_end(&mut content)).map_err(|error| error.to_string())?;
+        size += content.len() as u64;
         if size > MOST_BYTES {
             let most = MOST_BYTES >> 20;
             return Err(format!("it has more than {most} MiB once it is unpacked"));
         }
+        check_attributes(&content)?;
     }
     Ok(size)
+}
+
+/// Refuses tags with more attributes than any workbook has: until 0.40 `quick_xml` compares each
+/// with all before it. Text that is no XML is left to those who read it.
+fn check_attributes(content: &[u8]) -> Result<(), String> {
+    let mut reader = quick_xml::Reader::from_reader(content);
+    // As calamine reads it.
+    reader.config_mut().check_end_names = false;
+    let mut buffer = Vec::new();
+    loop {
+        buffer.clear();
+        match reader.read_event_into(&mut buffer) {
+            Ok(Event::Start(tag) | Event::Empty(tag)) => {
+                let mut attributes = tag.attributes();
+                if attributes.with_checks(false).nth(MOST_ATTRIBUTES).is_some() {
+                    return Err(format!(
+                        "a tag of it has more than the {MOST_ATTRIBUTES} attributes that are read"
+                    ));
+                }
+            }
+            Ok(Event::Eof) | Err(_) => return Ok(()),
+            Ok(_) => {}
+        }
+    }
 }

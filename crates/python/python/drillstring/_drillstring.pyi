@@ -44,7 +44,7 @@ __all__ = [
 _TEMPLATE: str
 __version__: str
 
-class DrillstringError(Exception): ...
+class DrillstringError(ValueError): ...
 
 class SweepFileError(DrillstringError):
     file: str

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::commands::cost::{WallTime, cost_lines};
 use campaign::design::Design;
 use campaign::engine::{MethodSystem, Survey};
-use campaign::memory::{Estimate, Limit};
+use campaign::memory::{Estimate, Limit, Size};
 use campaign::plan::Sweep;
 use campaign::sweep_file::AutoOr;
 use campaign::words::{counted, short};
@@ -22,8 +22,8 @@ pub struct InspectedCost {
     ends_when_decided: bool,
     /// Terms of the history sum, Eq. 17.
     history_terms: f64,
-    memory_bytes: f64,
-    memory_limit_bytes: f64,
+    memory_bytes: u64,
+    memory_limit_bytes: u64,
     /// By a short probe, where it was long enough.
     wall_seconds: Option<f64>,
     #[serde(skip)]
@@ -48,8 +48,8 @@ impl InspectedCost {
             longest_case_s: survey.longest,
             ends_when_decided: matches!(sweep.time, AutoOr::Auto),
             history_terms: terms.sum(),
-            memory_bytes: memory.bytes,
-            memory_limit_bytes: limit.bytes,
+            memory_bytes: Size(memory.bytes).whole_bytes(),
+            memory_limit_bytes: Size(limit.bytes).whole_bytes(),
             wall_seconds: match time {
                 WallTime::About(seconds) => Some(*seconds),
                 WallTime::Unknown | WallTime::Refused(_) => None,

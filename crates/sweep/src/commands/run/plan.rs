@@ -12,7 +12,7 @@ use crate::commands::cost::{WallTime, cost_lines, probe};
 use crate::commands::folder::{FolderState, LOG, in_words};
 use campaign::design::{Design, TraceDesign};
 use campaign::engine::{finer_frequency, pairs_of};
-use campaign::memory::{Estimate, Limit, Purpose, admit};
+use campaign::memory::{Estimate, Limit, Purpose, Size, admit};
 use campaign::words::{counted, short, together, wrapped};
 use results::folder::Damage;
 use results::log::LogView;
@@ -119,7 +119,8 @@ impl<'a> Plan<'a> {
     pub fn found(&self) -> PlanFound<'_> {
         let (sweep, survey) = (&self.task.campaign.sweep, &self.task.survey);
         let shard = self.task.header.shard;
-        let time = self.cost.as_ref().map(|cost| &cost.time);
+        let cost = self.cost.as_ref();
+        let time = cost.map(|cost| &cost.time);
         PlanFound {
             name: &sweep.name,
             title: &sweep.title,
@@ -138,8 +139,8 @@ impl<'a> Plan<'a> {
             simulated_time_s: simulated(self.task),
             longest_case_s: survey.longest,
             threads: linear::parallel::threads(),
-            memory_bytes: self.cost.as_ref().map(|cost| cost.memory.bytes),
-            memory_limit_bytes: self.cost.as_ref().map(|cost| cost.limit.bytes),
+            memory_bytes: cost.map(|cost| Size(cost.memory.bytes).whole_bytes()),
+            memory_limit_bytes: cost.map(|cost| Size(cost.limit.bytes).whole_bytes()),
             wall_time_s: match time {
                 Some(WallTime::About(seconds)) => Some(*seconds),
                 _ => None,
@@ -179,8 +180,8 @@ pub struct PlanFound<'a> {
     longest_case_s: f64,
     threads: usize,
     /// At most.
-    memory_bytes: Option<f64>,
-    memory_limit_bytes: Option<f64>,
+    memory_bytes: Option<u64>,
+    memory_limit_bytes: Option<u64>,
     /// None where the probe did not end in its time, too.
     wall_time_s: Option<f64>,
     /// Why the run would not finish.
