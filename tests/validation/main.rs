@@ -9,6 +9,7 @@ mod hole;
 mod on_bottom;
 mod paper_lateral;
 mod paper_torsion;
+mod recorded_start;
 mod recorded_well;
 mod rows;
 mod string_friction;
