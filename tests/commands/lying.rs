@@ -297,6 +297,41 @@ fn a_run_says_how_a_string_lies_and_swings() {
     assert!(!table.contains("climb_deg") && table.contains("no_contact"));
 }
 
+/// A case that ends while its string rings runs by `held`, and is the beginning of a longer one.
+#[test]
+fn a_short_case_of_a_lying_string_is_the_beginning_of_a_longer_one() {
+    let history = |time: f64| {
+        let text = LYING
+            .replace("time_s = 1\n", &format!("time_s = {time}\n"))
+            .replace("finite-element", "held")
+            .replace("damping_ns_m2 = 200", "damping_ns_m2 = 50");
+        let place = Workplace::with_small(&text);
+        let simulated = place.answer(&["simulate", "small.toml", "--out", "case"]);
+        assert_eq!(simulated.code, 0, "{time}: {}", simulated.errors);
+        let table = std::fs::read_to_string(place.path("case/history.csv")).unwrap();
+        let numbers = |line: &str| {
+            line.split(',')
+                .filter_map(|it| it.parse::<f64>().ok())
+                .collect()
+        };
+        table
+            .lines()
+            .skip(1)
+            .map(numbers)
+            .collect::<Vec<Vec<f64>>>()
+    };
+    let (short, long) = (history(0.3), history(1.0));
+    assert!(short.len() > 100);
+    for (one, other) in short.iter().zip(&long) {
+        for (one, other) in one.iter().zip(other) {
+            assert!(
+                (one - other).abs() <= 1e-3 * other.abs().max(1.0),
+                "{one} {other}"
+            );
+        }
+    }
+}
+
 /// In a vertical hole nothing presses it on its wall: it touches none, and does not climb.
 #[test]
 fn a_string_in_a_vertical_hole_lies_on_nothing() {

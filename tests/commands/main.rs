@@ -11,6 +11,7 @@ mod drive_limit;
 mod export;
 mod lying;
 mod lying_shape;
+mod lying_turned;
 mod motor;
 mod one_slip;
 mod sensitivity;

@@ -13,7 +13,8 @@
 //! sinusoidal force or torque puts in from rest in N steps. In the upper half they
 //! count as they are, without the continuing motion of the lower: no string rings there in a
 //! scheme that damps its highest frequencies, and in one that does not a stuck site
-//! chatters.
+//! chatters. Held responses alone have a string's own highest frequencies: where these ring on,
+//! the whole band is weighted.
 //!
 //! The plain inverse transform lets a sticking bit chatter, convolution quadrature does not:
 //!
@@ -87,7 +88,7 @@ pub enum Ending {
     Whole,
     /// It continues, ever more smoothly, beyond the simulation.
     Cut,
-    /// It continues, with fronts as sharp as at the beginning, beyond the simulation.
+    /// It continues, with fronts or its highest frequencies as at the beginning, beyond the simulation.
     Ringing,
 }
 

@@ -15,6 +15,7 @@ use super::quadrature::{self, Sampling, series_made};
 use super::{Buffers, ResponseAt, radau};
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
+use crate::passivity::Ending;
 
 /// Steps of Radau IIA in one step of the taps.
 pub(crate) const SUBSTEPS: usize = 4;
@@ -63,9 +64,19 @@ pub(crate) fn smooth_taps(
     )
 }
 
-/// Taps that a train of impulses is shared out among, one every `spacing` steps.
-pub(crate) fn taps_of(impulses: usize, spacing: f64) -> usize {
+/// Taps among which a train of impulses is shared, one every `spacing` steps.
+pub(crate) fn most_taps_of(impulses: usize, spacing: f64) -> usize {
     (impulses as f64 * spacing).ceil() as usize
+}
+
+/// Taps that have their whole share of a train of impulses, one every `spacing` steps: where the train
+/// continues beyond its last one, a tap that would get a part of the next is not that of a passive
+/// string.
+pub(crate) fn taps_of(impulses: usize, spacing: f64, ending: Ending) -> usize {
+    match ending {
+        Ending::Whole => most_taps_of(impulses, spacing),
+        Ending::Cut | Ending::Ringing => (impulses as f64 * spacing) as usize,
+    }
 }
 
 /// The first `count` taps of a response that is a train of impulses, one every `spacing`

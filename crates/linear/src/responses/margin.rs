@@ -115,11 +115,7 @@ impl Responses {
         let Some(velocities) = self.velocities() else {
             return Ok(None);
         };
-        let ending = match self.method {
-            // A filter is no longer than it is.
-            Method::Hilbert(_) | Method::DirectIdft(_) => Ending::Whole,
-            _ => ending_of(&velocities),
-        };
+        let ending = self.ending_in_bending(&velocities);
         margin_of(&velocities, ending).map(Some)
     }
 
@@ -135,14 +131,25 @@ impl Responses {
     /// Where these are not the responses of a string.
     pub fn margin_of_differences(&self) -> Result<Option<f64>, BuildError> {
         self.check()?;
-        let velocities = if self.method.collocation_offset() > 0.0 {
-            self.velocities()
-        } else {
-            self.bending().map(|bending| each(bending, differences))
-        };
-        velocities
-            .map(|velocities| margin_of(&velocities, ending_of(&velocities)))
+        if self.method.collocation_offset() > 0.0 {
+            return self.bending_margin();
+        }
+        let differences = self.bending().map(|bending| each(bending, differences));
+        differences
+            .map(|differences| margin_of(&differences, ending_of(&differences)))
             .transpose()
+    }
+
+    /// How velocities in bending end, `[site][input]`.
+    fn ending_in_bending(&self, velocities: &[Vec<Vec<f64>>]) -> Ending {
+        match (self.method, ending_of(velocities)) {
+            // A filter is no longer than it is.
+            (Method::Hilbert(_) | Method::DirectIdft(_), _) => Ending::Whole,
+            // It takes nothing from the string's own highest frequencies, which ring on as long as
+            // others: cut off at once, they would ripple about what they are.
+            (Method::Held, Ending::Cut) => Ending::Ringing,
+            (_, ending) => ending,
+        }
     }
 
     /// Taps from the forces at the sites that loads act on to the velocities of these, as the

@@ -105,7 +105,7 @@ impl<'a> TorsionPlan<'a> {
     /// Taps of each response, at most.
     pub(super) fn taps(&self) -> usize {
         let of_trains = |(impulses, step): (usize, f64)| {
-            held::taps_of(impulses, step * self.request.sampling_frequency)
+            held::most_taps_of(impulses, step * self.request.sampling_frequency)
         };
         match &self.lengths {
             Lengths::Rounds(rounds) => rounds.taps(),
@@ -177,7 +177,7 @@ impl<'a> TorsionPlan<'a> {
     ) -> Result<Built<'b>, BuildError> {
         let (impulses, step) = trains.length();
         let frequency = self.request.sampling_frequency;
-        let taps = self.count() * held::taps_of(impulses, step * frequency);
+        let taps = self.count() * held::most_taps_of(impulses, step * frequency);
         let memory = budget.reserve(REAL * taps as f64, What::Responses)?;
         let (taps, ending) = trains.taps(frequency);
         Ok(Built {

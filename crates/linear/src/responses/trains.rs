@@ -73,7 +73,7 @@ impl ImpulseTrains {
 
     /// The taps at a sampling frequency, Hz, and how they end.
     pub(super) fn taps(&self, sampling_frequency: f64) -> (Vec<Vec<f64>>, Ending) {
-        let taps = taps_of_each(&self.trains, self.step * sampling_frequency);
+        let taps = taps_of_each(&self.trains, self.step * sampling_frequency, self.ending);
         let all = self.made_of.iter().map(|&train| taps[train].clone());
         (all.collect(), self.ending)
     }
@@ -90,10 +90,12 @@ impl ImpulseTrains {
 }
 
 /// Taps that trains are shared out among.
-fn taps_of_each(trains: &[Vec<f64>], spacing: f64) -> Vec<Vec<f64>> {
-    (trains.iter())
-        .map(|train| held::shared(train, spacing, held::taps_of(train.len(), spacing)))
-        .collect()
+fn taps_of_each(trains: &[Vec<f64>], spacing: f64, ending: Ending) -> Vec<Vec<f64>> {
+    let taps = |train: &Vec<f64>| {
+        let count = held::taps_of(train.len(), spacing, ending);
+        held::shared(train, spacing, count)
+    };
+    trains.iter().map(taps).collect()
 }
 
 /// Trains are made of this number of bytes at a time. A lattice has thousands of steps in a travel
@@ -189,9 +191,11 @@ impl<'a> TrainsPlan<'a> {
         for places in self.different.chunks(rounds.channels()) {
             let trains = self.trains(rounds, places, budget)?;
             let lengths = trains.taps.iter().map(Vec::len);
-            let count: usize = lengths.map(|length| held::taps_of(length, spacing)).sum();
+            let count: usize = lengths
+                .map(|length| held::taps_of(length, spacing, trains.ending))
+                .sum();
             memory = memory.and(budget.reserve(REAL * count as f64, What::Responses)?);
-            taps.extend(taps_of_each(&trains.taps, spacing));
+            taps.extend(taps_of_each(&trains.taps, spacing, trains.ending));
             if trains.ending != Ending::Whole {
                 ending = trains.ending;
             }

@@ -8,8 +8,8 @@ use linear::estimates::{
 use linear::passivity::Ending;
 use linear::waves::lattice::Lattice;
 use linear::{
-    Budget, BuildError, ChannelRequest, Drillstring, ImpulseTrains, Method, Request, ResponsePlan,
-    Responses, Section, Sites, SurfaceSupport, Tube,
+    Bending, Budget, BuildError, Channel, ChannelRequest, Drillstring, ImpulseTrains, Method,
+    Request, ResponsePlan, Responses, Section, Sites, SurfaceSupport, Tube,
 };
 use problems::academic::{self, BENDING, tube};
 use problems::oracles::{assert_close, relative_difference};
@@ -282,6 +282,79 @@ fn val_what_rings_on_is_passive_too() {
     assert_eq!(responses.torsion().unwrap().ending, Ending::Ringing);
     let margin = responses.torsion_margin().unwrap().unwrap();
     assert!(margin > -1e-9, "{margin}");
+}
+
+/// A short string with little damping, at three of its sites in torsion and bending, for a time (s).
+fn lively(longest_time: f64) -> Responses {
+    let part = |length: f64, inner_radius: f64, outer_radius: f64| Tube {
+        length,
+        inner_radius,
+        outer_radius,
+    };
+    let pipe = Section {
+        repeat: 4,
+        parts: vec![part(9.0, 0.0543, 0.0635), part(1.0, 0.04, 0.085)],
+    };
+    let collar = Section {
+        repeat: 1,
+        parts: vec![part(47.0, 0.0357, 0.0826)],
+    };
+    let string = string_of(vec![pipe, collar], 0.5);
+    let bending = Bending {
+        youngs_modulus: 206e9,
+        damping: 250.0,
+        compression: 0.0,
+    };
+    let support = SurfaceSupport::Pinned;
+    let request = Request {
+        sites: Sites::new(&string, &[30.0, 7.0, 0.0]).unwrap(),
+        channels: vec![
+            ChannelRequest::Torsion {
+                torques: vec![0, 1, 2],
+            },
+            ChannelRequest::Bending { bending, support },
+        ],
+        sampling_frequency: 320.0,
+        longest_time,
+    };
+    linear::responses(&string, &Method::Held, &request).unwrap()
+}
+
+/// What is simulated ends long before the string is still, at its highest frequencies, too: the margin
+/// does not depend on where.
+#[test]
+fn val_a_string_that_rings_on_is_passive_however_short_its_case() {
+    for longest_time in [0.1, 0.3, 0.5, 1.0, 2.0, 5.0] {
+        let responses = lively(longest_time);
+        let margins = responses.margins(&Budget::unlimited()).unwrap();
+        for margin in margins.map(Option::unwrap) {
+            assert!((0.0..0.1).contains(&margin), "{longest_time}: {margin}");
+        }
+        assert_eq!(responses.margin_of_differences().unwrap(), margins[1]);
+    }
+}
+
+/// A site that gives back a little of a frequency, low or high, or takes part of a step to answer, is not
+/// passive, though its string rings on.
+#[test]
+fn val_a_string_that_rings_on_is_not_taken_for_passive_where_it_is_not() {
+    let margin = |change: &dyn Fn(usize, f64) -> f64| {
+        let mut responses = lively(1.0);
+        let bending = (responses.channels.iter_mut()).find(|it| it.channel == Channel::Bending);
+        let taps = &mut bending.unwrap().from_loads[2][2];
+        let at_once = taps[0];
+        for (index, tap) in taps.iter_mut().enumerate() {
+            *tap += at_once * change(index, *tap / at_once);
+        }
+        responses.bending_margin().unwrap().unwrap()
+    };
+    assert!(margin(&|_, _| 0.0) > 0.0);
+    for angle in [0.3f64, 1.2, 2.0, 2.9] {
+        let gives_back = |index: usize, _| -0.05 * (angle * (index as f64 + 0.5)).sin();
+        assert!(margin(&gives_back) < -0.01, "{angle}");
+    }
+    let is_late = |index: usize, tap: f64| if index == 0 { -0.9 * tap } else { 0.0 };
+    assert!(margin(&is_late) < -0.01);
 }
 
 /// Between two sites at either side of the uppermost collar there are two tubes, both shorter

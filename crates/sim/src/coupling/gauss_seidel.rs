@@ -101,9 +101,12 @@ impl Coupling<'_> {
     }
 
     /// What no longer matters to this part of the largest of each; the largest torque that drives
-    /// ports in a row is given, N m.
+    /// ports in a row is given, N m. A force at a wall is found to a part of itself, and so the torque
+    /// of its friction to a part of what the force would turn with: of a string that is hardly driven
+    /// yet, as where it begins to turn from rest, torques are no more than what rounding leaves of that.
     fn matters(&self, tolerance: f64, driving: f64) -> Matters {
         let largest = self.normal_forces.iter().copied().fold(0.0, f64::max);
+        let at_walls = self.largest_radius * largest;
         let torques = match self.has_walls_only() {
             // No port is asked for it.
             true => 0.0,
@@ -111,8 +114,8 @@ impl Coupling<'_> {
         };
         Matters {
             force: tolerance * largest,
-            torque: tolerance * torques,
-            driving: tolerance * driving,
+            torque: tolerance * torques.max(at_walls),
+            driving: tolerance * driving.max(at_walls),
         }
     }
 

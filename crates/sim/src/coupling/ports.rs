@@ -18,6 +18,8 @@ pub(crate) struct Coupling<'a> {
     /// What the load of a port is worth at every other, port by port; nothing where ports feel no
     /// more than their neighbours.
     shares: Vec<Share>,
+    /// Of the string at its walls, m; zero where it has none.
+    pub(super) largest_radius: f64,
     /// Whether of several answers of a wall the nearest to its present one is wanted.
     pub(super) keeps_answers: bool,
     pub(super) row: Row,
@@ -124,6 +126,7 @@ impl<'a> Coupling<'a> {
             },
             within,
             walled,
+            largest_radius: radii.iter().copied().fold(0.0, f64::max),
             keeps_answers: false,
             loads: Loads::none(count),
             normal_forces: vec![0.0; count],
