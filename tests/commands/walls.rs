@@ -19,11 +19,11 @@ fn number(text: &str) -> f64 {
     text.parse().unwrap()
 }
 
-/// The deepest push and its force are those of the motion in full: the greatest radius less the
-/// clearance, and the greatest force. A hard wall would break, and run, summary and `simulate` say so;
+/// The hardest push and its depth are those of the motion in full: the greatest force, and the greatest
+/// radius less the clearance. A hard wall would break, and run, summary and `simulate` say so;
 /// a soft one presses on no rock.
 #[test]
-fn the_deepest_push_into_a_wall_is_that_of_the_motion() {
+fn the_hardest_push_into_a_wall_is_that_of_the_motion() {
     let place = Workplace::with_small(&pushed());
     let said = done(&place, &["run", "small.toml", "--out", "out"]);
     let names = [

@@ -118,7 +118,8 @@ impl Dependence {
             0 => String::new(),
             _ => format!(", and {other_whirl} whirl at another rate or with another force"),
         };
-        format!("{how}, {changed} of {of} have another label{whirl}{advice}")
+        let have = if *changed == 1 { "has" } else { "have" };
+        format!("{how}, {changed} of {of} {have} another label{whirl}{advice}")
     }
 }
 

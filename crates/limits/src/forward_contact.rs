@@ -102,7 +102,7 @@ impl ForwardContact {
         let sites = each_once(self.points.iter().map(|point| point.site_from_bit_m));
         (!piece.is_empty()).then(|| Curve {
             name: format!(
-                "speed from which the eccentric mass brings the string to its wall, first {}",
+                "speed from which the eccentric mass brings the string to its wall in steady motion, first {}",
                 places(&sites, units)
             ),
             method: None,

@@ -157,7 +157,7 @@ pub use trajectory::Trajectory;
 pub use watch::along::StringTorque;
 pub use watch::axial::{AxialAcceleration, AxialMeasures, AxialRegime};
 pub use watch::band::{InBand, USUAL_BAND, highest_band, steps_to_settle};
-pub use watch::lateral::{LateralMeasures, LateralRegime, LyingMeasures, Penetration};
+pub use watch::lateral::{LateralMeasures, LateralRegime, LyingMeasures, Push};
 pub use watch::shocks::{ShakenPlace, ShockMeasures};
 pub use watch::stress::{Peak, StressMeasures, StressedPlace};
 pub use watch::surface::SurfaceMeasures;

@@ -18,7 +18,7 @@ pub struct Simulation {
     pub answer: Outcome,
     /// The site that decides the lateral label of that, m from the bit.
     pub site_from_bit_m: Option<f64>,
-    /// The deepest push into a wall, where there was one.
+    /// The hardest push into a wall, where there was one.
     pub wall_push: Option<WallPush>,
     /// What came out, followed to the end of the time.
     pub followed: Outcome,

@@ -331,14 +331,14 @@ impl MethodSystem {
         Ok(Some(ByStart { stuck, smooth }))
     }
 
-    /// The deepest push of a case into its walls, and what the rock of its bit would make of it.
+    /// The hardest push of a case into its walls, and what the rock of its bit would make of it.
     fn wall_push(&self, case: &Case, sweep: &Sweep, lateral: &LateralMeasures) -> Option<WallPush> {
-        let deepest = lateral.deepest?;
-        let from_bit = self.setting.sites.distances_from_bit()[deepest.site];
-        let wall = case.scene.lateral.as_ref()?.walls.get(deepest.site)?;
+        let hardest = lateral.hardest?;
+        let from_bit = self.setting.sites.distances_from_bit()[hardest.site];
+        let wall = case.scene.lateral.as_ref()?.walls.get(hardest.site)?;
         let law = (sweep.bit.as_ref()).and_then(|bit| bit.cutting_law(&case.conditions).ok()?);
         let strength = strength(law.map(|law| law.specific_energy));
-        Some(WallPush::new(&deepest, from_bit, wall, strength))
+        Some(WallPush::new(&hardest, from_bit, wall, strength))
     }
 
     /// The same by its shorter steps, where it has any.

@@ -252,7 +252,7 @@ pub fn carrying(
         let differs = before
             .iter()
             .any(|(other, its)| other.site == mass.site && its != form);
-        let message = "masses at one place have the same form";
+        let message = "masses at one place must have the same form";
         let key = format!("eccentric_masses[{index}].form");
         source.refuse_if(differs, &key, message)?;
     }

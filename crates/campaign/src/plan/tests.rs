@@ -158,7 +158,7 @@ fn a_string_carries_its_eccentric_masses() {
         .unwrap_err()
         .to_string();
     assert!(
-        mixed.contains("`eccentric_masses[1].form`: masses at one place"),
+        mixed.contains("`eccentric_masses[1].form`: masses at one place must"),
         "{mixed}"
     );
 }

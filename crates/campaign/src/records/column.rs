@@ -216,7 +216,7 @@ impl<'a> RecordRow<'a> {
             .and_then(|torsion| torsion.motor_stalled_fraction)
     }
 
-    /// The deepest push into a wall, where there was one.
+    /// The hardest push into a wall, where there was one.
     pub fn wall_push(&self) -> Option<WallPush> {
         self.record.wall_push
     }

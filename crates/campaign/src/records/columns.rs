@@ -697,7 +697,7 @@ pub static COLUMNS: &[ResultColumn] = &[
 
 /// The column of the speed above the one-slip estimate of stick-slip (Eq. 74).
 pub const STICK_SLIP_MARGIN: &str = "stick_slip_margin_rpm";
-/// The columns of the deepest push into a wall: its depth, its place, force and mean pressure there,
+/// The columns of the hardest push into a wall: its depth, its place, force and mean pressure there,
 /// and whether that breaks the rock.
 pub const PUSH_COLUMNS: [&str; 5] = [
     "wall_penetration_mm",

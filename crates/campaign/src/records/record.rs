@@ -69,7 +69,7 @@ pub struct Record {
     /// The site of the greatest acceleration sideways, m from the bit, where that is measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shock_from_bit_m: Option<f64>,
-    /// The deepest push into a wall, where there was one.
+    /// The hardest push into a wall, where there was one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wall_push: Option<WallPush>,
     /// How far it is from what was recorded, in the order of the comparisons; none where it does

@@ -12,7 +12,7 @@
 //!
 //! ```
 //! use campaign::records::WallPush;
-//! use sim::{Penetration, Wall};
+//! use sim::{Push, Wall};
 //!
 //! let wall = Wall {
 //!     clearance: 1.6e-3,
@@ -22,33 +22,35 @@
 //!     stribeck_speed: 0.0,
 //!     radius: 0.15,
 //! };
-//! let deepest = Penetration { depth: 0.01, site: 0 };
-//! let push = WallPush::new(&deepest, 4.7, &wall, 60e6);
-//! let force = push.force.ok_or("the wall is no rigid one")?;
-//! assert!((force - 1e6).abs() < 1e-3);
+//! let hardest = Push { normal_force: 1e6, site: 0 };
+//! let push = WallPush::new(&hardest, 4.7, &wall, 60e6);
+//! assert!((push.depth - 0.01).abs() < 1e-12);
 //! assert_eq!(push.breaks, Some(true));
-//! # Ok::<(), &str>(())
 //! ```
 
 use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
-use sim::{Penetration, Rock, Wall};
+use sim::{Push, Rock, Wall};
 
 use crate::quantities::{FORCE, LENGTH, STRESS, Units, WIDTH};
+use crate::words::short;
+
+/// Of less than this, mm, two decimals are too few.
+const SHALLOW: f64 = 0.1;
 
 /// Mean pressures by the strength of the rock: at first yield, and where all around yields.
 const FIRST_YIELD: f64 = 1.1;
 const FULL_YIELD: f64 = 3.0;
 
-/// The deepest push of a string into its wall, and what rock would make of it.
+/// The hardest push of a string into its wall, and what rock would make of it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct WallPush {
     /// Where it is, m from the bit.
     pub from_bit: f64,
-    /// How deep the wall gives way, m.
+    /// How deep the wall gives way, m; zero of a rigid one.
     pub depth: f64,
-    /// The normal force that answers, N; of a rigid wall it does not follow.
+    /// The normal force that answers, N; none in records of earlier versions of a rigid wall.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub force: Option<f64>,
     /// The mean pressure on the patch, Pa.
@@ -61,11 +63,11 @@ pub struct WallPush {
 
 impl WallPush {
     /// Push of a place (m from the bit) into a wall of rock of a strength, Pa.
-    pub fn new(deepest: &Penetration, from_bit: f64, wall: &Wall, strength: f64) -> Self {
-        let depth = deepest.depth;
-        let force = Some(wall.stiffness * depth.powf(1.5)).filter(|force| force.is_finite());
-        let pressure = force.map(|force| force / (PI * wall.radius * depth));
-        let pressure = pressure.filter(|pressure| pressure.is_finite());
+    pub fn new(hardest: &Push, from_bit: f64, wall: &Wall, strength: f64) -> Self {
+        let force = hardest.normal_force;
+        let depth = (force / wall.stiffness).powf(2.0 / 3.0);
+        // A rigid wall has no patch.
+        let pressure = Some(force / (PI * wall.radius * depth)).filter(|it| it.is_finite());
         let bears = match depth > wall.clearance {
             true => FIRST_YIELD * strength,
             false => FULL_YIELD * strength,
@@ -73,7 +75,7 @@ impl WallPush {
         Self {
             from_bit,
             depth,
-            force,
+            force: Some(force),
             pressure,
             breaks: pressure.map(|pressure| pressure > bears),
         }
@@ -91,15 +93,23 @@ impl WallPush {
         }
     }
 
+    /// Whether it is into a rigid wall, of which only the force is known.
+    pub fn is_on_rigid(&self) -> bool {
+        self.depth == 0.0
+    }
+
     /// The push, and whether rock bears it, in a sentence.
     pub fn sentence(&self, units: Units) -> String {
         let breaks = match self.breaks {
             Some(true) => {
                 "; its rock would break there, and the hole is no longer that of the model"
             }
+            None if self.is_on_rigid() => {
+                "; the wall is rigid, and what that does to its rock is not known"
+            }
             _ => "",
         };
-        format!("deepest push into a wall {}{breaks}", self.words(units))
+        format!("hardest push into a wall {}{breaks}", self.words(units))
     }
 
     /// How deep it is, where, with what force and pressure.
@@ -107,10 +117,15 @@ impl WallPush {
         let [width, length, force, stress] =
             [&WIDTH, &LENGTH, &FORCE, &STRESS].map(|twin| units.of(twin));
         let place = length.text(self.from_bit, 1);
-        let mut words = format!(
-            "{} deep, {place} from the bit",
-            width.text(1e3 * self.depth, 2)
-        );
+        let depth = 1e3 * self.depth;
+        let mut words = match depth {
+            0.0 => format!("{place} from the bit"),
+            SHALLOW.. => format!("{} deep, {place} from the bit", width.text(depth, 2)),
+            _ => {
+                let depth = short(width.number(depth));
+                format!("{depth} {} deep, {place} from the bit", width.name)
+            }
+        };
         if let Some(newtons) = self.force {
             words += &format!(", under {}", force.text(1e-3 * newtons, 0));
         }
@@ -154,8 +169,12 @@ mod tests {
         for (clearance, times) in [(1e-4, 1.1), (0.05, 3.0)] {
             for (part, breaks) in [(0.99, false), (1.01, true)] {
                 let depth = part * depth_at(times);
-                let deepest = Penetration { depth, site: 0 };
-                let push = WallPush::new(&deepest, 0.0, &wall(clearance, 1e9), 60e6);
+                let normal_force = 1e9 * depth.powf(1.5);
+                let hardest = Push {
+                    normal_force,
+                    site: 0,
+                };
+                let push = WallPush::new(&hardest, 0.0, &wall(clearance, 1e9), 60e6);
                 let pressure = 1e9 * depth.sqrt() / (PI * 0.1);
                 assert!((push.pressure.unwrap() / pressure - 1.0).abs() < 1e-12);
                 assert_eq!(push.breaks, Some(breaks), "{push:?}");
@@ -165,11 +184,16 @@ mod tests {
 
     #[test]
     fn a_rigid_wall_says_nothing_of_rock() {
-        let deepest = Penetration {
-            depth: 1e-12,
+        let hardest = Push {
+            normal_force: 3e4,
             site: 0,
         };
-        let push = WallPush::new(&deepest, 0.0, &wall(0.05, f64::INFINITY), 60e6);
-        assert_eq!((push.force, push.pressure, push.breaks), (None, None, None));
+        let push = WallPush::new(&hardest, 0.0, &wall(0.05, f64::INFINITY), 60e6);
+        assert_eq!((push.depth, push.force), (0.0, Some(3e4)));
+        assert_eq!((push.pressure, push.breaks), (None, None));
+        let words = push.sentence(Units::default());
+        assert!(words.starts_with(
+            "hardest push into a wall 0.0 m from the bit, under 30 kN; the wall is rigid"
+        ));
     }
 }

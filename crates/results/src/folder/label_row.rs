@@ -31,7 +31,7 @@ pub struct LabelRow {
     pub found: Option<[usize; 2]>,
     /// Whether the mud motor above the bit stalls, where there is one.
     pub motor_stalled: Option<bool>,
-    /// The deepest push into a wall, where there was one.
+    /// The hardest push into a wall, where there was one.
     pub wall_push: Option<WallPush>,
     /// Whether the case failed.
     pub failed: bool,

@@ -213,23 +213,31 @@ impl Manifest {
         fingerprint_of(&self.sweep, hashes, by_rule, self.options)
     }
 
-    /// Methods in whose steps the whirl that came out is too fast, each in a sentence.
+    /// Methods in whose steps the whirl that came out is too fast, each in a sentence. A tenth too few are
+    /// no matter: so far off is the rate that was expected. The frequency that resolves it is the same for all.
     pub fn damped_whirl(&self) -> impl Iterator<Item = String> {
-        self.methods.iter().filter_map(|record| {
-            let method = &record.method;
-            let rate = self.tally.fastest_whirl_turns_per_s.get(method)?;
+        let of_method = |record: &MethodRecord| {
+            let rate = *self.tally.fastest_whirl_turns_per_s.get(&record.method)?;
             let own = record.sampling_frequency_hz;
             let frequency = own.unwrap_or(self.sampling_frequency_hz);
-            let (steps, needed) = (frequency / rate, steps_of_turn(method));
-            (steps < needed).then(|| {
-                format!(
-                    "{method}: whirl at {rate:.0} turns/s has {steps:.0} steps in a turn at {} Hz, and \
-                     needs {needed}: its force is too small, and whirl that lasts may be missed; \
-                     `sampling_frequency_hz = {:.0}` resolves it",
-                    short(frequency),
-                    (needed * rate).ceil(),
-                )
-            })
+            let needed = steps_of_turn(&record.method);
+            (frequency / rate < LEAST_OF_NEEDED * needed)
+                .then(|| (record.method.clone(), rate, frequency, needed))
+        };
+        let all: Vec<_> = self.methods.iter().filter_map(of_method).collect();
+        let resolving = all
+            .iter()
+            .map(|(_, rate, _, needed)| rate * needed)
+            .fold(0.0, f64::max);
+        all.into_iter().map(move |(method, rate, frequency, needed)| {
+            let steps = frequency / rate;
+            format!(
+                "{method}: whirl at {rate:.0} turns/s has {steps:.1} steps in a turn at {} Hz, and \
+                 needs {needed}: its force is too small, and whirl that lasts may be missed; \
+                 `sampling_frequency_hz = {:.0}` resolves it",
+                short(frequency),
+                resolving.ceil(),
+            )
         })
     }
 
@@ -382,6 +390,9 @@ fn fingerprint_hash(fingerprint: &serde_json::Value) -> Result<String> {
 
 /// Longest value that is shown of a key that differs, in letters.
 const LONGEST_SHOWN: usize = 60;
+
+/// Whirl with fewer than this part of the steps in a turn that it needs is warned of.
+const LEAST_OF_NEEDED: f64 = 0.9;
 
 /// Where two fingerprints differ, each as `key: before → now`, or `key: changed` where that is long.
 pub fn differences(before: &serde_json::Value, now: &serde_json::Value) -> Vec<String> {

@@ -67,7 +67,7 @@ pub struct WallPushes {
     pub cases: usize,
     /// Those of them in which its rock would break.
     pub breaking: usize,
-    /// The deepest.
+    /// The hardest.
     pub deepest: WallPush,
 }
 
@@ -261,7 +261,7 @@ impl Tally {
             .chain(self.found_words())
     }
 
-    /// Counts the deepest push of a case into a wall by a method.
+    /// Counts the hardest push of a case into a wall by a method.
     pub fn add_push(&mut self, method: &str, push: WallPush) {
         let wall = self.wall.entry(method.to_owned()).or_insert(WallPushes {
             cases: 0,
@@ -270,23 +270,29 @@ impl Tally {
         });
         wall.cases += 1;
         wall.breaking += usize::from(push.breaks == Some(true));
-        if push.depth > wall.deepest.depth {
+        if push.force > wall.deepest.force {
             wall.deepest = push;
         }
     }
 
-    /// In how many cases the rock of a wall would break, in a sentence for each method; none where it
-    /// bears all pushes.
+    /// In how many cases the rock of a wall would break, or a rigid one is pressed on, in a sentence for
+    /// each method; none where it bears all pushes.
     fn wall_words(&self, units: Units) -> impl Iterator<Item = String> {
-        let breaking = self.wall.iter().filter(|(_, found)| found.breaking > 0);
-        breaking.map(move |(method, found)| {
+        self.wall.iter().filter_map(move |(method, found)| {
             let cases = counted(found.cases, "case");
-            format!(
+            if found.deepest.is_on_rigid() {
+                return Some(format!(
+                    "{method}: in {cases} a rigid wall is pressed on, hardest {}: what that does to its rock is \
+                     not known",
+                    found.deepest.words(units)
+                ));
+            }
+            (found.breaking > 0).then(|| format!(
                 "warning: {method}: in {} of {cases} that press on a wall its rock would break, and the \
-                 hole is no longer that of the model; the deepest push: {}",
+                 hole is no longer that of the model; the hardest push: {}",
                 found.breaking,
                 found.deepest.words(units)
-            )
+            ))
         })
     }
 
@@ -298,6 +304,19 @@ impl Tally {
                  `time_s` decides",
                 self.fading,
                 counted(self.rows, "row")
+            )
+        })
+    }
+
+    /// In how many cases at most the mud motor stalls by any method, in a sentence; none where it does not.
+    pub fn motor_sentence(&self) -> Option<String> {
+        let most = self.motor.values().max_by_key(|found| found.stalled)?;
+        (most.stalled > 0).then(|| {
+            format!(
+                "The mud motor stalls in {} of {}: there the bit does not drill smoothly, but stands still or turns \
+                 with the string.",
+                most.stalled,
+                counted(most.cases, "case")
             )
         })
     }

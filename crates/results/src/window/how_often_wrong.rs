@@ -3,6 +3,7 @@
 use crate::analysis::wilson;
 use campaign::engine::is_by_rule;
 use campaign::plan::Sweep;
+use campaign::sweep_file::AutoOr;
 use campaign::words::{counted, short};
 
 /// Cases of which some are wrong.
@@ -61,18 +62,22 @@ fn whirl_when_hit() -> String {
 
 /// How often labels and words of safety were wrong for scenes of the kind of a sweep, a sentence each.
 pub fn how_often_wrong(sweep: &Sweep) -> Vec<String> {
-    let has_walls = sweep.setting.lateral.is_some();
+    // Without a wall there is no whirl.
+    let is_auto = matches!(sweep.content.sampling_frequency_hz, AutoOr::Auto);
+    let has_default_frequency = is_auto && sweep.setting.lateral.is_some();
     let lies = sweep.setting.lying.is_some();
     let by_rule = |cases: Wrong, motion: &str| {
         format!(
-            "labels of {motion} by the rule of time: {} were other ones after ten times the time",
-            cases.words("case")
+            "labels of {motion} by the rule of time: of random strings, one case each, {} had another after ten times \
+             the time",
+            cases.words("string")
         )
     };
     let has_time_by_rule = is_by_rule(sweep, &sweep.setting);
     let turns_against_torque = sweep.bit.is_some() || sweep.setting.friction.is_some();
     let missed = (WHIRL_MISSED.into_iter())
-        .filter(|(method, _)| has_walls && sweep.methods.iter().any(|of| of.name() == *method))
+        .filter(|_| has_default_frequency)
+        .filter(|(method, _)| sweep.methods.iter().any(|of| of.name() == *method))
         .map(|(method, cases)| {
             format!(
                 "whirl that lasts: {method} at its default frequency misses {}",

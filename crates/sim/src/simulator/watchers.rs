@@ -54,9 +54,7 @@ impl Watchers {
             let speed = scene.surface_speed;
             let walls = WallWatch::new(rules, sites, speed, sampling, (steps, window));
             (
-                (walls.of_walls(&lateral.walls))
-                    .of_lying(lateral.lying.as_ref())
-                    .of_shocks(lateral),
+                walls.of_lying(lateral.lying.as_ref()).of_shocks(lateral),
                 Settling::new(rules, sites, sampling.frequency, steps),
             )
         });

@@ -53,9 +53,6 @@ with_words! {
     }
 }
 
-/// Depths in a wall below this part of its clearance are rounding.
-const ROUNDING: f64 = 1e-9;
-
 /// What a person would ask of the lateral motion, of the site that decides the label.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -84,9 +81,9 @@ pub struct LateralMeasures {
     pub mean_normal_force: f64,
     /// Steps of all sites that had several solutions.
     pub ambiguous_steps: usize,
-    /// The deepest push into a wall in all the time, at any site; none without a push.
+    /// The hardest push into a wall in all the time, at any site; none without a push.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub deepest: Option<Penetration>,
+    pub hardest: Option<Push>,
     /// How a string that lies in its hole swings there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lying: Option<LyingMeasures>,
@@ -97,9 +94,9 @@ pub struct LateralMeasures {
 
 /// A push of the string into its wall.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Penetration {
-    /// How much further than its clearance the string's centre is from the middle, m.
-    pub depth: f64,
+pub struct Push {
+    /// Normal force of the wall, N.
+    pub normal_force: f64,
     /// The site, from the surface down.
     pub site: usize,
 }
@@ -199,8 +196,8 @@ pub(crate) struct WallWatch {
     closing: Vec<SiteSums>,
     /// Squares of the largest radii, m².
     furthest: Vec<f64>,
-    /// The clearance of each site, m; nothing where it is not known.
-    clearances: Vec<f64>,
+    /// Greatest normal force at each site so far, N.
+    greatest_forces: Vec<f64>,
     surface_speed: f64,
     steps: usize,
     /// Of a string that lies in its hole.
@@ -228,19 +225,11 @@ impl WallWatch {
             ambiguous: 0,
             closing: vec![SiteSums::default(); sites],
             furthest: vec![0.0; sites],
-            clearances: Vec::new(),
+            greatest_forces: vec![0.0; sites],
             surface_speed,
             steps,
             swings: None,
             shocks: None,
-        }
-    }
-
-    /// The same, which measures how deep walls give way.
-    pub(crate) fn of_walls<W: WallLaw>(self, walls: &[W]) -> Self {
-        Self {
-            clearances: walls.iter().map(WallLaw::clearance).collect(),
-            ..self
         }
     }
 
@@ -282,6 +271,7 @@ impl WallWatch {
     fn see_site(&mut self, step: usize, site: usize, contact: &Contact) {
         let [x, y] = contact.position;
         self.furthest[site] = self.furthest[site].max(x * x + y * y);
+        self.greatest_forces[site] = self.greatest_forces[site].max(contact.normal_force);
         if let Some(swings) = &mut self.swings {
             swings.see(step, site, contact, self.furthest[site]);
         }
@@ -346,7 +336,7 @@ impl WallWatch {
         let sums = &closing[site];
         let in_contact = (sums.contact as f64).max(1.0);
         LateralMeasures {
-            deepest: self.deepest(),
+            hardest: self.hardest(),
             lying,
             shocks: self.shocks.as_ref().and_then(ShockWatch::measures),
             regime,
@@ -363,16 +353,11 @@ impl WallWatch {
         }
     }
 
-    /// The deepest push into a wall so far.
-    fn deepest(&self) -> Option<Penetration> {
-        let walls = self.clearances.iter().zip(&self.furthest).enumerate();
-        let pushes = walls.map(|(site, (clearance, square))| Penetration {
-            depth: square.sqrt() - clearance,
-            site,
-        });
-        let deepest = pushes.max_by(|one, other| one.depth.total_cmp(&other.depth));
-        // A rigid wall gives way by rounding alone.
-        deepest.filter(|push| push.depth > ROUNDING * self.clearances[push.site])
+    /// The hardest push into a wall so far.
+    fn hardest(&self) -> Option<Push> {
+        let forces = self.greatest_forces.iter().enumerate();
+        let (site, &normal_force) = forces.max_by(|one, other| one.1.total_cmp(other.1))?;
+        (normal_force > 0.0).then_some(Push { normal_force, site })
     }
 
     /// The site that decides, of a string that hangs in the middle of its hole, and the regime.

@@ -3,7 +3,9 @@
 use crate::report::document::fact;
 use crate::report::phrases::listed;
 use crate::report::results::Results;
-use campaign::quantities::{Axis, FORCE, INERTIA, LENGTH, StringAxis, TORQUE, Units, WIDTH};
+use campaign::quantities::{
+    Axis, FORCE, INERTIA, LENGTH, StringAxis, TORQUE, Units, WIDTH, WallQuantity,
+};
 use campaign::sweep_file::bit::LawTable;
 use campaign::sweep_file::{
     BitTable, ControllerName, FileContent, RockName, SectionTable, TopDriveTable,
@@ -25,7 +27,7 @@ pub fn equipment(results: &Results) -> Vec<(String, String)> {
         fact("Mud", mud(content, &is_varied)),
     ];
     facts.extend(motor(content).map(|text| fact("Motor", text)));
-    facts.extend(well(content).map(|text| fact("Well", text)));
+    facts.extend(well(content, &is_varied).map(|text| fact("Well", text)));
     facts
 }
 
@@ -258,30 +260,26 @@ fn mud(content: &FileContent, is_varied: &dyn Fn(Axis) -> bool) -> String {
 }
 
 /// Its course, its wall and the friction along the string; none where nothing is said of them.
-fn well(content: &FileContent) -> Option<String> {
+fn well(content: &FileContent, is_varied: &dyn Fn(Axis) -> bool) -> Option<String> {
     let units = content.units;
     let survey = content.well.as_ref().and_then(|well| well.survey.as_ref());
     let survey = survey.map(|file| format!("course as surveyed in {file}"));
     let width = units.of(&WIDTH);
     let wall = content.wall.as_ref().map(|wall| {
-        let clearance = match wall.clearance_mm {
-            Some(clearance) => {
-                format!(
-                    "wall {} {} away",
-                    short(width.number(clearance)),
-                    width.name
-                )
-            }
-            None => "wall at the size of the hole".to_owned(),
+        let is_rigid = wall.stiffness_gn_m15.is_none_or(f64::is_infinite)
+            && !is_varied(Axis::Wall(WallQuantity::Stiffness));
+        let kind = if is_rigid { "rigid wall" } else { "wall" };
+        let place = match wall.clearance_mm {
+            Some(clearance) => format!("{} {} away", short(width.number(clearance)), width.name),
+            None => "at the size of the hole".to_owned(),
         };
-        let friction = wall
-            .friction
-            .map(|friction| format!("with friction {}", short(friction)));
-        [Some(clearance), friction]
-            .into_iter()
-            .flatten()
-            .collect::<Vec<_>>()
-            .join(" ")
+        let friction = match is_varied(Axis::FRICTION) {
+            true => " with friction as varied".to_owned(),
+            false => (wall.friction).map_or_else(String::new, |friction| {
+                format!(" with friction {}", short(friction))
+            }),
+        };
+        format!("{kind} {place}{friction}")
     });
     let friction = content.string_friction.as_ref().map(|friction| {
         let still = friction.static_coefficient.map(short);

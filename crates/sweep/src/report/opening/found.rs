@@ -24,6 +24,7 @@ pub fn found(results: &Results) -> String {
         let lattice = results.lattice.as_ref().filter(|_| !is_blurred);
         sentences.extend(lattice.and_then(|lattice| limits(results, lattice, *motion)));
     }
+    sentences.extend(results.manifest.tally.motor_sentence());
     sentences.extend(deciding(results));
     sentences.join(" ")
 }
