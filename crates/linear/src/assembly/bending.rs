@@ -126,7 +126,7 @@ pub fn reduce<T: Number>(
     })
 }
 
-/// The nodes between pieces, the first of them with stiffnesses of their own.
+/// The nodes between pieces, the first of them with a stiffness besides that of the pieces.
 fn nodes<T: Number>(
     mut pieces: impl Iterator<Item = Option<Beam<T>>>,
     at_nodes: &[T],
@@ -145,7 +145,7 @@ fn nodes<T: Number>(
 }
 
 /// Bending moment at each of some places (row) per unit force at each site (column), N m/N; of pieces as
-/// in [`reduce`] between the nodes of both, each with a stiffness of its own (N/m).
+/// in [`reduce`] between the nodes of both, each with a stiffness besides that of the pieces (N/m).
 /// It is M = EI x″: with what the piece above opposes to the motion of its lower end, or that below,
 /// the other way round, to the motion of its upper end.
 pub fn moments<T: Number>(
