@@ -10,6 +10,9 @@ use crate::torsion_limit::{StickSlipPoint, TorsionLimit};
 /// Speeds at which the limit is found: it depends on them where the torque falls with speed.
 const SPEEDS: usize = 17;
 
+/// The limit is looked for from this part of the least value on.
+const BELOW: f64 = 1e-3;
+
 /// What the limit follows from.
 const CHART: &str = "chart";
 
@@ -28,7 +31,12 @@ pub(crate) fn motor_stall_points(sweep: &Sweep) -> Vec<StickSlipPoint> {
             None => return Vec::new(),
         },
     };
-    let range = range_of_axis(sweep, place);
+    let [least, most] = range_of_axis(sweep, place);
+    // A limit below all of the range is said, too, where the torque is known there.
+    let below = BELOW * least;
+    let at_below = sweep.conditions.with(axis, below);
+    let is_known = matches!(bit.torque_dynamic(&at_below), Ok(Some(_)));
+    let range = [if is_known { below } else { least }, most];
     let point = |(speed, value): (f64, Option<f64>)| {
         let conditions = sweep.conditions.with(axis, value?);
         Some(StickSlipPoint {
@@ -40,7 +48,7 @@ pub(crate) fn motor_stall_points(sweep: &Sweep) -> Vec<StickSlipPoint> {
         })
     };
     let stalls = motor_stalls(sweep, bit, axis, (range, speeds));
-    // Where it stalls on all of the range, the limit is not on it.
+    // Where it stalls at any torque there is no limit.
     let limits = stalls.filter(|(_, value)| value.is_some_and(|value| value > range[0]));
     limits.filter_map(point).collect()
 }

@@ -111,7 +111,7 @@ impl BendingDecay {
     }
 
     /// Of a string with its mud and the masses at its sites, each as if it were spread over the
-    /// [metre](SPREAD) of any tube about it.
+    /// metre of any tube about it.
     pub fn with_masses(string: &Drillstring, bending: &Bending, sites: &Sites) -> Self {
         let mut resistances = resistances(string, bending);
         let greatest = sites.masses().iter().copied().fold(0.0, f64::max);
