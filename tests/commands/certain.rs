@@ -218,7 +218,7 @@ fn whirl_says_whether_rate_and_force_agree() {
         }
     }
     assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
-    let words = format!("forces by over half, in {} cases", counts[0]);
+    let words = format!("in {} cases all four settings whirl", counts[0]);
     let output = reported
         .output
         .split_whitespace()

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 
 use campaign::engine::{Case, Recipe, RunOptions, answer};
 use campaign::quantities::Axis;
+use campaign::random::Stream;
 use sim::waveguide::{Friction, Waveguide};
 use sim::{Label, Motion, Recording, SurfaceProfile, TorsionRegime};
 use studies::promises::{Begins, Problem};
@@ -21,17 +22,11 @@ const REPEATED: usize = 3;
 /// Places of damping of the two waveguides.
 const PLACES: [f64; 2] = [500.0, 750.0];
 
-/// A number between zero and one that follows from two others, as if drawn.
-fn drawn(number: usize, which: usize) -> f64 {
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    ((number * 7 + which) as f64 * golden + SEED as f64 * golden.powi(2)).fract()
-}
-
 /// The speed in parts of its mean: from rest over some seconds, and up and down by up to a fifth after,
 /// every tenth of a second.
-fn recorded(number: usize) -> Recording {
-    let (rise, part) = (2.0 + 8.0 * drawn(number, 0), 0.2 * drawn(number, 1));
-    let period = 5.0 + 20.0 * drawn(number, 2);
+fn recorded(draw: &mut Stream) -> Recording {
+    let (rise, part) = (2.0 + 8.0 * draw.part(), 0.2 * draw.part());
+    let period = 5.0 + 20.0 * draw.part();
     let times: Vec<f64> = (0..=(10.0 * RECORDED) as usize + 20)
         .map(|it| 0.1 * it as f64)
         .collect();
@@ -50,9 +45,10 @@ fn val_labels_under_a_recorded_speed_are_those_of_waves_handed_on_in_time() {
         let head = format!("methods = [\"held\"]\ntime_s = {RECORDED}\n");
         let sweep = problem.sweep(&head).unwrap().for_run().unwrap();
         // The slower of its cases is at 0.8 of the estimate.
-        let speed_rpm = (0.3 + drawn(number, 3)) * sweep.design.values(0)[0] / 0.8;
+        let mut draw = Stream::new(SEED, number as u64);
+        let speed_rpm = (0.3 + draw.part()) * sweep.design.values(0)[0] / 0.8;
         let speed = speed_rpm * TAU / 60.0;
-        let recording = recorded(number);
+        let recording = recorded(&mut draw);
         let mut setting = sweep.setting.for_labels().into_owned();
         setting.profile = SurfaceProfile::Recorded(recording.clone());
         let conditions = sweep.conditions.with(Axis::SurfaceSpeedRpm, speed_rpm);

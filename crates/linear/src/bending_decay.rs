@@ -110,8 +110,8 @@ impl BendingDecay {
         Self::of(&resistances(string, bending))
     }
 
-    /// Of a string with its mud and the masses at its sites, each as if it were spread over the
-    /// metre of any tube about it.
+    /// Corners of a string with its mud and the masses at its sites, each as if it were spread over a
+    /// metre of any tube.
     pub fn with_masses(string: &Drillstring, bending: &Bending, sites: &Sites) -> Self {
         let mut resistances = resistances(string, bending);
         let greatest = sites.masses().iter().copied().fold(0.0, f64::max);

@@ -129,7 +129,7 @@ impl Sites {
         Ok(Self { springs, ..self })
     }
 
-    /// The same sites, each with a mass (kg) that moves sideways with the string and turns nothing.
+    /// Sites with a mass (kg) at each of these that moves sideways with the string and turns nothing.
     ///
     /// # Errors
     /// Where there is no such mass, or not one for each site.
@@ -217,7 +217,7 @@ impl Sites {
         self.masses.get(site).copied().unwrap_or(0.0)
     }
 
-    /// What is at each site besides the string.
+    /// Spring and mass at each site besides the string.
     pub(crate) fn loads(&self) -> Vec<AtSite> {
         let load = |site: usize| AtSite {
             spring: self.springs.get(site).copied().unwrap_or(0.0),

@@ -131,8 +131,9 @@ fn mean(name: &'static str, values: &[f64]) -> Quoted {
 }
 
 /// The numbers of a case that converge. After a contact that ends motion is chaotic,
-/// and of it only the regime counts; whirl at several sites beats, and
-/// of its rate and force only counts whether they are [alike](Whirl::is_like); a bit that cuts may slip and stick many times where it rests; the peak speed of a slipping bit is that of a
+/// and of it only the regime counts; whirl at several sites beats, and of its rate and
+/// force only counts whether they are [alike](Whirl::is_like); a bit that cuts may slip
+/// and stick many times where it rests; the peak speed of a slipping bit is that of a
 /// wave front, which every finer step sharpens; how long a slip lasts depends on which
 /// echo ends it, and the mean speed of the closing window on where in a cycle that
 /// begins.
@@ -196,15 +197,12 @@ pub fn largest_difference(
 /// force than that of a reference: one by one it may go either way, and the site that decides the
 /// label with it.
 fn check_whirl(found: &[Answer], reference: &[Answer], asked: f64) -> Result<()> {
-    let pairs = found.iter().zip(reference);
-    let of_both = pairs.filter(|(_, expected)| !is_by_limit(expected, asked));
-    let of_both = of_both
-        .filter_map(|(found, expected)| Some((expected.case, [found.whirl?, expected.whirl?])));
-    let of_both: Vec<_> = of_both.collect();
-    let others = of_both
-        .iter()
-        .filter(|(_, [found, expected])| !found.is_like(*expected));
-    let others: Vec<_> = others.collect();
+    let of_both: Vec<(usize, [Whirl; 2])> = (found.iter().zip(reference))
+        .filter(|(_, expected)| !is_by_limit(expected, asked))
+        .filter_map(|(found, expected)| Some((expected.case, [found.whirl?, expected.whirl?])))
+        .collect();
+    let is_other = |(_, [found, expected]): &&(usize, [Whirl; 2])| !found.is_like(*expected);
+    let others: Vec<_> = of_both.iter().filter(is_other).collect();
     let Some((case, whirl)) = others.first().filter(|_| 2 * others.len() > of_both.len()) else {
         return Ok(());
     };

@@ -36,7 +36,7 @@ use sim::{Push, Rock, Wall};
 use crate::quantities::{FORCE, LENGTH, STRESS, Units, WIDTH};
 use crate::words::short;
 
-/// Of less than this, mm, two decimals are too few.
+/// Depth, mm, below which two decimals are too few.
 const SHALLOW: f64 = 0.1;
 
 /// Mean pressures by the strength of the rock: at first yield, and where all around yields.

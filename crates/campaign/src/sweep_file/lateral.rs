@@ -190,10 +190,10 @@ fn default_duration() -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum MassForm {
-    /// That of its inertia, m_e (d θ̇² e^(iθ) − r̈): the string carries the mass.
+    /// Force of its inertia, m_e (d θ̇² e^(iθ) − r̈): the string carries the mass.
     #[default]
     Carried,
-    /// That of Section 5.2.3 at a radius r, m_e (d + r) θ̇² e^(iθ), which has the wrong sign of r above a
+    /// Force of Section 5.2.3 at a radius r, m_e (d + r) θ̇² e^(iθ), which has the wrong sign of r above a
     /// critical speed.
     Paper,
 }

@@ -12,7 +12,8 @@ use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 use crate::sites::Sites;
 
-/// Assembles the beam elements of a mesh with the springs and masses of its sites, without the degrees of freedom that the surface holds.
+/// Assembles the beam elements of a mesh with the springs and masses of its sites, without the
+/// degrees of freedom that the surface holds.
 ///
 /// # Errors
 /// Where no string bends as `bending` says, or the sparse matrices cannot be formed.

@@ -66,7 +66,7 @@ impl<T: Number> Rates<T> {
 pub(crate) struct ElementChain<'a> {
     string: &'a Drillstring,
     spans: Vec<SurroundedSpan>,
-    /// What is at each site besides the string, in bending.
+    /// Spring and mass at each site besides the string, in bending.
     at_sites: Vec<AtSite>,
     longest: f64,
     weights: Weights,

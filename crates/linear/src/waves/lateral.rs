@@ -41,7 +41,7 @@ pub struct BendingNetwork<'a> {
     bending: Bending,
     support: SurfaceSupport,
     spans: Vec<SurroundedSpan>,
-    /// What is at each site besides the string.
+    /// Spring and mass at each site besides the string.
     at_sites: Vec<AtSite>,
     loss: LossAlong<Interpolated>,
 }

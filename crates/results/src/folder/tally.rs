@@ -67,8 +67,9 @@ pub struct WallPushes {
     pub cases: usize,
     /// Those of them in which its rock would break.
     pub breaking: usize,
-    /// The hardest.
-    pub deepest: WallPush,
+    /// The hardest push; the deepest in folders of earlier versions.
+    #[serde(alias = "deepest")]
+    pub hardest: WallPush,
 }
 
 /// Greatest von Mises stresses by a method, against the least yield of drill pipe (API Spec 5DP).
@@ -266,12 +267,12 @@ impl Tally {
         let wall = self.wall.entry(method.to_owned()).or_insert(WallPushes {
             cases: 0,
             breaking: 0,
-            deepest: push,
+            hardest: push,
         });
         wall.cases += 1;
         wall.breaking += usize::from(push.breaks == Some(true));
-        if push.force > wall.deepest.force {
-            wall.deepest = push;
+        if push.force > wall.hardest.force {
+            wall.hardest = push;
         }
     }
 
@@ -280,19 +281,20 @@ impl Tally {
     fn wall_words(&self, units: Units) -> impl Iterator<Item = String> {
         self.wall.iter().filter_map(move |(method, found)| {
             let cases = counted(found.cases, "case");
-            if found.deepest.is_on_rigid() {
+            let hardest = found.hardest.words(units);
+            if found.breaking > 0 {
                 return Some(format!(
-                    "{method}: in {cases} a rigid wall is pressed on, hardest {}: what that does to its rock is \
-                     not known",
-                    found.deepest.words(units)
+                    "warning: {method}: in {} of {cases} that press on a wall its rock would break, and the \
+                     hole is no longer that of the model; the hardest push: {hardest}",
+                    found.breaking,
                 ));
             }
-            (found.breaking > 0).then(|| format!(
-                "warning: {method}: in {} of {cases} that press on a wall its rock would break, and the \
-                 hole is no longer that of the model; the hardest push: {}",
-                found.breaking,
-                found.deepest.words(units)
-            ))
+            (found.hardest.is_on_rigid()).then(|| {
+                format!(
+                    "{method}: in {cases} a rigid wall is pressed on, hardest {hardest}: what that does to its \
+                     rock is not known"
+                )
+            })
         })
     }
 
@@ -383,8 +385,8 @@ impl Tally {
     pub fn other_whirl_words(&self) -> Option<String> {
         let count = self.other_whirl.values().max()?;
         Some(format!(
-            "whirl by all four settings, but rates differ by over a quarter or forces by over half, in {}: \
-             column {WHIRL_AGREES}",
+            "in {} all four settings whirl, but at rates that differ by over a quarter or with forces that differ by \
+             over half: column {WHIRL_AGREES}",
             counted(*count, "case"),
         ))
     }

@@ -59,7 +59,7 @@ fn certain(results: &Results) -> Option<String> {
         })
         .collect();
     let differing = manifest.tally.other_whirl_words();
-    let differing = differing.map_or_else(String::new, |words| format!(" They {words}."));
+    let differing = differing.map_or_else(String::new, |words| format!(" {}.", capital(&words)));
     Some(format!(
         "By {} at two sampling frequencies {} are certain.{differing}",
         listed(&by.methods),
