@@ -3,6 +3,7 @@
 mod accuracy;
 mod analyse;
 mod certain;
+mod certain_of_lying;
 mod command_line;
 mod cutting;
 mod documents;

@@ -151,7 +151,7 @@ fn what_has_no_bound_of_whirl_is_safe_at_most_unless_that_is_triggered() {
 
 /// A collar on three to seven sites, the bit among them, in a hole of some size and inclination: its text up to
 /// the impulses and the axes, and what 10 m of it weigh, kg.
-fn random_collar(numbers: &mut Numbers) -> (String, f64) {
+pub fn random_collar(numbers: &mut Numbers) -> (String, f64) {
     let hole = [0.108, 0.1556, 0.2223][(3.0 * numbers.next()) as usize];
     let outer = hole * numbers.between(0.5, 0.8);
     let inner = 0.3 * outer;

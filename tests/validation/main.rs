@@ -6,6 +6,7 @@ mod early_stop;
 mod forward_contact;
 mod found_sites;
 mod hole;
+mod limited_drive_labels;
 mod on_bottom;
 mod paper_lateral;
 mod paper_torsion;

@@ -8,9 +8,17 @@ use super::answer::{Difference, largest_difference};
 use super::candidates::{candidate, methods};
 use super::reference::{METHOD, Reference, References};
 use super::strings::{Steps, Systems};
-use crate::plan::{Candidate, Choice, Tried};
+use crate::plan::{Candidate, Choice, Islands, Tried};
 use crate::sweep_file::per_cent;
 use crate::words::short;
+
+/// A candidate within what was asked for.
+pub struct Found {
+    method: Method,
+    candidate: Candidate,
+    error: f64,
+    islands: Option<Islands>,
+}
 
 /// A search for the cheapest candidate.
 pub struct Search<'a> {
@@ -31,18 +39,19 @@ impl Search<'_> {
         Err(format!("at {} Hz {of}", short(reference.frequency)))
     }
 
-    /// A candidate found, with its error, as what is chosen.
+    /// A candidate found as what is chosen.
     pub fn choice(
         &self,
-        (method, chosen, error): (Method, Candidate, f64),
+        found: Found,
         reference: &Reference,
         uncertainty: f64,
         tried: Vec<Tried>,
     ) -> (Method, Choice) {
         let choice = Choice {
             asked: self.references.asked,
-            delivered: error + uncertainty,
-            chosen,
+            delivered: found.error + uncertainty,
+            chosen: found.candidate,
+            islands: found.islands,
             reference_method: METHOD.name().to_owned(),
             reference_hz: reference.frequency,
             reference_uncertainty: uncertainty,
@@ -50,7 +59,7 @@ impl Search<'_> {
             probes: self.references.probes.cases(),
             tried,
         };
-        (method, choice)
+        (found.method, choice)
     }
 
     /// The first candidate at one frequency whose error is within what was asked for, with
@@ -67,7 +76,7 @@ impl Search<'_> {
         uncertainty: f64,
         held: f64,
         tried: &mut Vec<Tried>,
-    ) -> Result<Option<(Method, Candidate, f64)>> {
+    ) -> Result<Option<Found>> {
         let (strings, steps) = (&self.references.probes.strings, Steps::Frequency(frequency));
         let allowed = self.references.asked - uncertainty;
         for method in methods(self.references.probes.sweep) {
@@ -96,7 +105,15 @@ impl Search<'_> {
                 of,
             });
             if let Some(error) = error.filter(|error| *error <= allowed) {
-                return Ok(Some((method, candidate, error)));
+                let systems = systems.as_ref().ok();
+                let islands_of =
+                    |systems| (self.references.probes).islands(systems, &reference.answers);
+                return Ok(Some(Found {
+                    method,
+                    candidate,
+                    error,
+                    islands: systems.and_then(islands_of),
+                }));
             }
             // What the quadrature cannot treat, no other method can.
             if method == Method::Quadrature && systems.is_err() {

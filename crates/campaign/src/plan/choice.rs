@@ -32,6 +32,10 @@ pub struct Choice {
     pub delivered: f64,
     /// What was chosen.
     pub chosen: Candidate,
+    /// Islands of the other regime beyond the limits, by what was chosen; none where no limit is
+    /// known, or where a bit cuts.
+    #[serde(default)]
+    pub islands: Option<Islands>,
     /// The method of the reference.
     pub reference_method: String,
     /// Its sampling frequency, Hz.
@@ -59,6 +63,18 @@ pub struct Candidate {
     pub elements_per_cell: Option<usize>,
     /// Sampling frequency, Hz.
     pub sampling_frequency_hz: f64,
+}
+
+/// Labels of cases near the limits, further from them than the accuracy asked for and within 30 %,
+/// that are those of the other side: where there are any, a limit is ragged.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Islands {
+    /// Labels looked at.
+    pub labels: usize,
+    /// How many of them are those of the other side.
+    pub others: usize,
+    /// How far from its limit the furthest of those is, a part of it; 0 without any.
+    pub furthest: f64,
 }
 
 /// A candidate and its error.
@@ -101,6 +117,33 @@ impl Choice {
             per_cent(self.reference_uncertainty)
         );
         let later = indent + 2;
-        wrapped(&chosen, indent, later) + &wrapped(&reference, later, later)
+        let islands = self
+            .islands
+            .as_ref()
+            .map(|islands| islands.words(self.asked));
+        let mut text = wrapped(&chosen, indent, later) + &wrapped(&reference, later, later);
+        if let Some(islands) = islands {
+            text += &wrapped(&islands, later, later);
+        }
+        text
+    }
+}
+
+impl Islands {
+    /// How far the limit is ragged, or what was looked at.
+    fn words(&self, asked: f64) -> String {
+        let Self { labels, others, .. } = self;
+        let asked = per_cent(asked);
+        match others {
+            0 => format!(
+                "(none of {labels} labels further than {asked} % from a limit is that of its other \
+                 side; narrower islands are not seen)"
+            ),
+            _ => format!(
+                "a limit is ragged: {others} of {labels} labels further than {asked} % from one are \
+                 those of its other side, up to {} % from it",
+                per_cent(self.furthest)
+            ),
+        }
     }
 }

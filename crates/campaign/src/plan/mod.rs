@@ -51,7 +51,7 @@ mod whirl;
 mod whirl_doubts;
 
 pub use bit::{Bit, TorqueError};
-pub use choice::{Candidate, Choice, Tried};
+pub use choice::{Candidate, Choice, Islands, Tried};
 pub use compare::Comparison;
 pub use conditions::Conditions;
 pub use cutting::{Begins, CuttingSettings, SteadyDrilling};

@@ -45,6 +45,9 @@ pub enum MotionVerdict {
         /// earlier versions.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         mean_normal_force: Option<f64>,
+        /// Swing of a string that lies in its hole to either side, rad.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        swing_amplitude: Option<f64>,
     },
     /// How the bit moved along its axis.
     Axial {
@@ -127,6 +130,7 @@ impl MotionVerdict {
                 precession_rate,
                 least_precession_rate,
                 mean_normal_force,
+                lying,
                 ..
             }) => Self::Lateral {
                 regime,
@@ -134,6 +138,7 @@ impl MotionVerdict {
                 precession_rate,
                 least_precession_rate,
                 mean_normal_force: Some(mean_normal_force),
+                swing_amplitude: lying.map(|lying| lying.swing_amplitude),
             },
             Measures::Axial(axial) => Self::Axial {
                 regime: axial.regime,
@@ -172,7 +177,8 @@ impl MotionVerdict {
     /// Stick-slip is certain below its limit, from one start or from any; smooth drilling above. A
     /// case that was too short for the bit to turn is undetermined. Contact is that of whirl
     /// where it lasts for most of the closing window and goes round one way, fast enough; that it
-    /// does not needs one of the two alone, each in parts of where it changes.
+    /// does not needs one of the two alone, each in parts of where it changes. What lies in its hole
+    /// swings there by less than what snakes, or by more.
     fn distances(&self) -> Option<Vec<f64>> {
         match *self {
             // No limit is known that it could be far from.
@@ -190,9 +196,10 @@ impl MotionVerdict {
                 contact_fraction,
                 precession_rate,
                 least_precession_rate: least,
+                swing_amplitude,
                 ..
             } => {
-                let mostly = Rules::USUAL.mostly;
+                let (mostly, snaking) = (Rules::USUAL.mostly, Rules::USUAL.snaking);
                 let lasting = contact_fraction - mostly;
                 Some(match regime {
                     // No site has anything to measure.
@@ -203,6 +210,8 @@ impl MotionVerdict {
                     }
                     LateralRegime::BackwardWhirl => vec![lasting, -precession_rate - least],
                     LateralRegime::ForwardWhirl => vec![lasting, precession_rate - least],
+                    LateralRegime::LowSide => vec![snaking - swing_amplitude?],
+                    LateralRegime::Snaking => vec![swing_amplitude? - snaking],
                     _ => return None,
                 })
             }
@@ -261,6 +270,7 @@ mod tests {
             precession_rate,
             least_precession_rate: 0.5,
             mean_normal_force: Some(1e4),
+            swing_amplitude: None,
         };
         Verdict::only(Motion::Lateral, sideways)
     }
@@ -344,6 +354,32 @@ mod tests {
         );
     }
 
+    /// The label changes at a swing of 1°.
+    #[test]
+    fn what_lies_is_certain_where_its_swing_is() {
+        let certified = |regime: LateralRegime, swings: [Option<f64>; 2]| {
+            let verdicts = swings.map(|degrees| {
+                let sideways = MotionVerdict::Lateral {
+                    regime,
+                    contact_fraction: 1.0,
+                    precession_rate: 0.0,
+                    least_precession_rate: 0.5,
+                    mean_normal_force: Some(1e4),
+                    swing_amplitude: degrees.map(f64::to_radians),
+                };
+                Verdict::only(Motion::Lateral, sideways)
+            });
+            certified_by(&verdicts).labels[Motion::Lateral].is_some()
+        };
+        let (low_side, snaking) = (LateralRegime::LowSide, LateralRegime::Snaking);
+        assert!(certified(low_side, [Some(0.1), Some(0.5)]));
+        assert!(!certified(low_side, [Some(0.1), Some(0.6)]));
+        assert!(certified(snaking, [Some(20.0), Some(11.0)]));
+        assert!(!certified(snaking, [Some(20.0), Some(10.0)]));
+        assert!(!certified(low_side, [Some(0.1), None]));
+        assert!(!certified(LateralRegime::FadingSwing, [Some(20.0); 2]));
+    }
+
     /// Labels that are certain stay so where one of four has a third of the force; what differs is said.
     #[test]
     fn whirl_agrees_where_rate_and_force_do() {
@@ -356,6 +392,7 @@ mod tests {
                     precession_rate: -9.0,
                     least_precession_rate: 0.5,
                     mean_normal_force,
+                    swing_amplitude: None,
                 };
                 Verdict::only(Motion::Lateral, sideways)
             });

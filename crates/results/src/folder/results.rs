@@ -12,7 +12,7 @@ use super::records::{RECORDS, RecordWriter};
 use super::tally::Tally;
 use crate::files::{AtomicFile, Checksum};
 use campaign::labels::LabelTable;
-use campaign::records::{Certainty, Record, RecordRow, WallPush, to_turns};
+use campaign::records::{Certainty, Record, RecordRow, WallPush, to_mm, to_turns};
 use sim::{Label, Outcome};
 
 /// Rows that all threads together format at once.
@@ -109,6 +109,9 @@ impl<'a> TableWriter<'a> {
         }
         if let Some(stress) = record.outcome.as_ref().ok().and_then(|it| it.stress) {
             (self.tally).add_stress(method, stress.von_mises.value);
+        }
+        if let Some(axial) = record.outcome.as_ref().ok().and_then(Outcome::axial) {
+            (self.tally).add_cut(method, to_mm(axial.peak_depth_of_cut));
         }
         if let Some(found) = &record.found {
             (self.tally).add_found(method, [found.sites.len(), found.rounds]);

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 use sim::Label;
 
-use campaign::quantities::{STRESS, Units};
+use campaign::quantities::{STRESS, Units, WIDTH};
 use campaign::records::{Certainty, WHIRL_AGREES, WallPush};
 
 use campaign::words::counted;
@@ -44,6 +44,9 @@ pub struct Tally {
     /// Stresses per method, where they are known.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub stress: BTreeMap<String, Stresses>,
+    /// The deepest cut of a blade per method, mm, where a bit cuts.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub deepest_cut_mm: BTreeMap<String, f64>,
     /// Rows without an answer.
     pub failed: usize,
     /// Settled rows that were followed to the end, and those of them whose label
@@ -85,6 +88,9 @@ pub struct Stresses {
 
 /// Least yield of drill pipe of grades E75 and S135, Pa.
 const YIELD: [f64; 2] = [517e6, 931e6];
+
+/// Widths of cutters, mm: the least, and that above which IADC's largest class of fixed cutters is.
+const CUTTERS_MM: [f64; 2] = [8.0, 25.4];
 
 /// Stalls of the mud motor by a method.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -253,11 +259,42 @@ impl Tally {
         })
     }
 
+    /// Notes the deepest cut of a case by a method, mm.
+    pub fn add_cut(&mut self, method: &str, depth_mm: f64) {
+        let deepest = self.deepest_cut_mm.entry(method.to_owned()).or_default();
+        *deepest = deepest.max(depth_mm);
+    }
+
+    /// How wide cutters have to be to cut as deep, in a sentence for each method; none where any do.
+    fn cut_words(&self, units: Units) -> impl Iterator<Item = String> {
+        let in_units = move |mm: f64| units.of(&WIDTH).text(mm, 1);
+        let [least, largest] = CUTTERS_MM;
+        // One that is set in a pocket by half.
+        let deep = (self.deepest_cut_mm.iter()).filter(move |(_, depth)| 2.0 * **depth > least);
+        deep.map(move |(method, depth)| {
+            let depth_words = units.of(&WIDTH).text(*depth, 2);
+            let wider = in_units(2.0 * depth);
+            match 2.0 * depth > largest {
+                true => format!(
+                    "warning: {method}: a blade cuts up to {depth_words} deep, beyond any cutter but those of the \
+                     largest class (IADC), wider than {}, if by half its width it stands out: the body of a bit \
+                     would rub, which is not modelled",
+                    in_units(largest)
+                ),
+                false => format!(
+                    "{method}: a blade cuts up to {depth_words} deep: cutters that stand out by half their width \
+                     have to be wider than {wider}"
+                ),
+            }
+        })
+    }
+
     /// Notes on all cases together, in a sentence for each method: walls that would break, steel that
-    /// yields, mud motors that stall, sites that were found.
+    /// yields, cuts that are deep, mud motors that stall, sites that were found.
     pub fn notes(&self, units: Units) -> impl Iterator<Item = String> {
         (self.wall_words(units))
             .chain(self.stress_words(units))
+            .chain(self.cut_words(units))
             .chain(self.motor_words())
             .chain(self.found_words())
     }
@@ -422,5 +459,21 @@ mod tests {
         tally.add_stress("held", 940e6);
         assert!(words(&tally)[0].contains("in 2 of 3 cases"));
         assert!(words(&tally)[0].contains("in 1 beyond 931 MPa, that of S135"));
+    }
+
+    #[test]
+    fn a_cut_is_held_to_the_width_of_cutters() {
+        let mut tally = Tally::default();
+        let words = |tally: &Tally| tally.notes(Units::default()).collect::<Vec<String>>();
+        tally.add_cut("held", 3.9);
+        assert!(words(&tally).is_empty());
+        tally.add_cut("held", 5.92);
+        tally.add_cut("held", 1.0);
+        assert!(words(&tally)[0].ends_with("have to be wider than 11.8 mm"));
+        tally.add_cut("held", 13.0);
+        assert!(
+            words(&tally)[0]
+                .starts_with("warning: held: a blade cuts up to 13.00 mm deep, beyond any cutter")
+        );
     }
 }

@@ -124,6 +124,12 @@ impl Waveguide {
         }
     }
 
+    /// The same below a drive that gives no more than a torque, N m.
+    pub fn limited(self, torque: f64) -> Self {
+        let drive = self.drive.map(|drive| drive.limited(torque));
+        Self { drive, ..self }
+    }
+
     /// The same wound up steadily by a surface that is set to a speed (rad/s), the bit held by a
     /// torque (N m) in the first step.
     pub fn wound_up(mut self, set_speed: f64, torque: f64) -> Self {

@@ -1,6 +1,7 @@
 //! A top drive at the upper end of a waveguide: J dω/dt = K_p e + K_i ∫ e dt − T with
 //! e = Ω − ω, by the trapezoidal rule. T is what the string takes: Z (ω − 2u) and what the
-//! damping of half a row takes, u the wave in speed that arrives from below.
+//! damping of half a row takes, u the wave in speed that arrives from below. One of limited torque gives
+//! no more than that, and its integral stands still meanwhile, unless the error takes it back.
 
 use linear::TopDrive;
 
@@ -24,6 +25,8 @@ pub struct Motor {
     behind: f64,
     /// Torque that speeded it up in the last step, N m.
     torque: f64,
+    /// The most that it gives, N m.
+    limit: f64,
 }
 
 impl Motor {
@@ -40,7 +43,13 @@ impl Motor {
             speed: 0.0,
             behind: 0.0,
             torque: 0.0,
+            limit: f64::INFINITY,
         }
+    }
+
+    /// The same, which gives no more than a torque, N m.
+    pub fn limited(self, limit: f64) -> Self {
+        Self { limit, ..self }
     }
 
     /// K_i, N m/rad.
@@ -62,16 +71,27 @@ impl Motor {
         let half = 0.5 * self.step;
         // Without its own speed at the end of the step.
         let behind = self.behind + half * (2.0 * set - self.speed);
-        let pull =
-            self.proportional_gain * set + self.integral_gain * behind + 2.0 * self.impedance * up;
-        let held_back =
-            self.proportional_gain + self.integral_gain * half + self.impedance + self.damping;
+        let from_string = 2.0 * self.impedance * up;
+        let of_string = self.impedance + self.damping;
         let before = self.inertia_per_step * self.speed + self.torque;
-        let speed = (before + pull) / (self.inertia_per_step + held_back);
-        self.behind = behind - half * speed;
+        let speed_under = |pull: f64, held_back: f64| {
+            (before + pull + from_string) / (self.inertia_per_step + held_back + of_string)
+        };
+        let mut pull = self.proportional_gain * set + self.integral_gain * behind;
+        let mut held_back = self.proportional_gain + self.integral_gain * half;
+        let mut speed = speed_under(pull, held_back);
+        let asked = pull - held_back * speed;
+        let is_limited = asked.abs() > self.limit;
+        if is_limited {
+            (pull, held_back) = (self.limit.copysign(asked), 0.0);
+            speed = speed_under(pull, held_back);
+        }
+        if !is_limited || (set - speed) * asked < 0.0 {
+            self.behind = behind - half * speed;
+        }
         // One without inertia takes no torque.
         self.torque = if self.inertia_per_step > 0.0 {
-            pull - held_back * speed
+            pull + from_string - (held_back + of_string) * speed
         } else {
             0.0
         };
@@ -110,5 +130,28 @@ mod tests {
                 "{index}: {speed} {exact}"
             );
         }
+    }
+
+    /// Brought up by its limit L alone, ω = Lt/J until K_p e is L, as its integral stands still.
+    #[test]
+    fn a_motor_of_limited_torque_gives_no_more() {
+        let drive = TopDrive {
+            inertia: 2000.0,
+            proportional_gain: 800.0,
+            integral_gain: 1000.0,
+            delay: 0.0,
+            late_inertia: 0.0,
+        };
+        let (step, set, limit) = (1e-3, 3.0, 600.0);
+        let mut motor = Motor::new(&drive, 0.0, 0.0, step).limited(limit);
+        let speeds: Vec<f64> = (0..7000).map(|_| motor.advance(set, 0.0)).collect();
+        // The torque that sets in is met half way through the first step.
+        let exact = limit * 6.9995 / drive.inertia;
+        assert!(
+            (speeds[6999] - exact).abs() < 1e-9,
+            "{} {exact}",
+            speeds[6999]
+        );
+        assert_eq!(motor.behind, 0.0);
     }
 }

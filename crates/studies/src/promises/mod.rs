@@ -54,6 +54,11 @@ pub struct Kept {
     /// The limit by the method chosen; `None` where that is more than a factor
     /// [`campaign::accuracy::bisection::WITHIN`] from the true one.
     pub limit: Option<f64>,
+    /// How far from its limit the furthest label of the other side was said to be, a part of it; 0
+    /// where none was seen.
+    pub furthest_told: Option<f64>,
+    /// How far from `limit` it is, of those looked at.
+    pub furthest: Option<f64>,
 }
 
 /// One promise.
@@ -154,14 +159,17 @@ fn chosen(problem: &Problem, asked: f64, limit: &Limit) -> Result<Sweep> {
 
 fn kept(problem: &Problem, sweep: &Sweep, truth: Option<&Truth>) -> Result<Kept> {
     let choice = sweep.choice.as_ref().context("something was chosen")?;
-    let limit = match truth {
-        None => None,
-        Some(truth) => Finder::new(problem, sweep, truth.limit)?.nearest(truth.limit),
-    };
+    let finder = truth.map(|truth| Finder::new(problem, sweep, truth.limit));
+    let finder = finder.transpose()?;
+    let near = finder.as_ref().zip(truth);
+    let limit = near.and_then(|(finder, truth)| finder.nearest(truth.limit));
+    let scanned = finder.as_ref().zip(limit);
     Ok(Kept {
         method: choice.chosen.method.clone(),
         sampling_frequency: choice.chosen.sampling_frequency_hz,
         estimated: choice.delivered,
         limit,
+        furthest_told: choice.islands.as_ref().map(|islands| islands.furthest),
+        furthest: scanned.map(|(finder, limit)| finder.furthest_island(limit, choice.asked)),
     })
 }

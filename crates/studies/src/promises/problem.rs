@@ -248,13 +248,18 @@ impl Problem {
         }
     }
 
+    /// Its sweep file with first lines.
+    pub fn text(&self, first: &str) -> String {
+        format!("{first}{}{}", self.scene, self.text)
+    }
+
     /// Its sweep with a method, or an accuracy, in the first lines of its file.
     ///
     /// # Errors
     /// Where that is refused.
     pub fn sweep(&self, method: &str) -> Result<Sweep> {
         let name = Path::new("problem.toml");
-        let text = format!("{method}{}{}", self.scene, self.text);
+        let text = self.text(method);
         // It names no other file.
         let read = |path: &Path, _| match path == name {
             true => Ok(text.clone()),

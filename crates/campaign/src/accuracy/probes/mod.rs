@@ -2,8 +2,9 @@
 //! them.
 
 mod cutting;
+mod islands;
 
-use anyhow::{Result, anyhow, bail};
+use anyhow::{Result, anyhow};
 use linear::parallel;
 use sim::Stopping;
 
@@ -14,6 +15,7 @@ use super::trial;
 use crate::engine::MethodSystem;
 use crate::memory::Limit;
 use crate::plan::{Conditions, Sweep};
+pub use islands::ISLAND_CASES;
 
 /// Cases compared, evenly spread over the design.
 const MOST_PROBES: usize = 8;
@@ -26,14 +28,6 @@ const LIMIT_PART: f64 = 1.0 / 16.0;
 
 /// A limit is looked for within this factor of a known one.
 const NEAR: f64 = 1.2;
-
-/// Islands are looked for within this factor of a limit, beyond what was asked for, in this number
-/// of places on either side, the closer the nearer.
-const FURTHEST: f64 = 1.3;
-const PLACES: usize = 16;
-
-/// Cases simulated for the islands of one limit.
-pub const ISLAND_CASES: f64 = 2.0 * (PLACES + 1) as f64;
 
 /// Cases simulated for one limit before it is halved in on.
 pub const HALVINGS_BEFORE: f64 = 2.0;
@@ -272,25 +266,6 @@ impl<'a> Probes<'a> {
         (found, inside)
     }
 
-    /// Of the places near a limit on one side of it, below or above, the first where something is otherwise than
-    /// next to the limit, as a multiple of that.
-    fn island_next_to(
-        &self,
-        limit: f64,
-        side: f64,
-        is_inside_at: impl Fn(f64) -> Option<bool>,
-    ) -> Option<f64> {
-        let between = (0..=PLACES).map(|place| place as f64 / PLACES as f64);
-        let places = between.map(|part| self.asked * (FURTHEST.ln() / self.asked).powf(part));
-        let mut regimes = places.map(|distance| {
-            let factor = (side * distance).exp();
-            (factor, is_inside_at(limit * factor))
-        });
-        let (_, near) = regimes.next()?;
-        let (factor, _) = regimes.find(|(_, regime)| *regime != near)?;
-        Some(factor)
-    }
-
     /// Where the regime of a case changes, in multiples of its speed or friction.
     fn regime_limit(
         &self,
@@ -299,12 +274,15 @@ impl<'a> Probes<'a> {
         inside: bool,
         near: Option<f64>,
     ) -> Option<f64> {
-        let is_inside_at = |factor: f64| {
-            let conditions = self.conditions(case, factor);
-            let outcome = trial::outcome(self.sweep, system, &conditions, Stopping::Early);
-            outcome.ok().map(|outcome| is_inside(&outcome))
-        };
+        let is_inside_at = |factor: f64| self.is_inside_at(system, case, factor);
         self.limit(is_inside_at, inside, near)
+    }
+
+    /// Whether a case is inside with its speed or friction multiplied.
+    fn is_inside_at(&self, system: &MethodSystem, case: usize, factor: f64) -> Option<bool> {
+        let conditions = self.conditions(case, factor);
+        let outcome = trial::outcome(self.sweep, system, &conditions, Stopping::Early);
+        outcome.ok().map(|outcome| is_inside(&outcome))
     }
 
     /// Where something changes, in multiples of a case's speed or friction: near a
@@ -334,54 +312,6 @@ impl<'a> Probes<'a> {
             }
         }
         None
-    }
-
-    /// Refuses answers whose limits have islands of the other regime near: those are limits
-    /// too, and none that would hold still.
-    ///
-    /// # Errors
-    /// Names the first case with one.
-    pub fn check_for_islands(&self, systems: &Systems, answers: &[Answer]) -> Result<()> {
-        if self.cuts() {
-            // A limit of steady drilling is known where it is.
-            return Ok(());
-        }
-        // Of a group the one that is nearest to its limit: others may last too long there.
-        let distance = |index: &usize| {
-            answers[*index]
-                .limit
-                .map_or(f64::INFINITY, |limit| limit.ln().abs())
-        };
-        let nearest = |group: Vec<usize>| {
-            let nearest = group
-                .into_iter()
-                .min_by(|one, other| distance(one).total_cmp(&distance(other)));
-            nearest.map(|index| (&self.probes[index], &answers[index]))
-        };
-        let probes = self.groups().into_iter().filter_map(nearest).collect();
-        let found: Vec<Result<()>> =
-            parallel::each(probes, |(probe, answer): (&Probe, &Answer)| {
-                let Some(limit) = answer.limit else {
-                    return Ok(());
-                };
-                let is_inside_at = |factor: f64| {
-                    let conditions = self.conditions(probe.case, factor);
-                    let system = &systems[probe.string];
-                    let outcome = trial::outcome(self.sweep, system, &conditions, Stopping::Early);
-                    outcome.ok().map(|outcome| is_inside(&outcome))
-                };
-                for side in [-1.0, 1.0] {
-                    if let Some(factor) = self.island_next_to(limit, side, is_inside_at) {
-                        let case = probe.case;
-                        bail!(
-                            "the limit near case {case} is ragged: at {factor:.2} times it there \
-                             is another"
-                        );
-                    }
-                }
-                Ok(())
-            });
-        found.into_iter().collect()
     }
 }
 
@@ -421,12 +351,40 @@ parts = [
 ]
 ";
 
+    fn sweep() -> Sweep {
+        let name = Path::new("small.toml");
+        Sweep::read_from(name, &[], &|_: &Path, _| Ok(SWEEP.to_owned())).unwrap()
+    }
+
+    /// Labels between the limit and one that is said to be 5 % above it are those of its other side.
+    #[test]
+    fn labels_beyond_a_limit_are_counted_up_to_the_furthest() {
+        let sweep = sweep();
+        let limit = Limit::of(Some(Size(1e9)));
+        let probes = Probes::of(&sweep, 0.02, &limit).unwrap();
+        let systems = probes
+            .strings
+            .systems(Method::Held, Steps::Frequency(200.0))
+            .unwrap();
+        let mut answers = probes.answers(&systems, Stopping::Early, &[], 1);
+        let right = probes.islands(&systems, &answers).unwrap();
+        assert_eq!((right.labels, right.others), (16, 0));
+        for answer in &mut answers {
+            answer.limit = answer.limit.map(|limit| 1.05 * limit);
+        }
+        let wrong = probes.islands(&systems, &answers).unwrap();
+        // At 2.4, 3.3 and 4.6 %.
+        assert_eq!((wrong.labels, wrong.others), (16, 3));
+        assert!((wrong.furthest - 0.0457).abs() < 1e-3, "{wrong:?}");
+        let wide = Probes::of(&sweep, 0.3, &limit).unwrap();
+        assert_eq!(wide.islands(&systems, &answers), None);
+    }
+
     /// In torsion all is proportional to torque: a limit that is known by one case is that of
     /// the others, as if it had been looked for there.
     #[test]
     fn a_limit_is_known_by_that_of_another_torque() {
-        let name = Path::new("small.toml");
-        let sweep = Sweep::read_from(name, &[], &|_: &Path, _| Ok(SWEEP.to_owned())).unwrap();
+        let sweep = sweep();
         let limit = Limit::of(Some(Size(1e9)));
         let probes = Probes::of(&sweep, 0.02, &limit).unwrap();
         let systems = probes

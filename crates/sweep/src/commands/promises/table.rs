@@ -5,7 +5,7 @@ use std::fmt::Write;
 use studies::promises::{Motion, Promise};
 
 /// The columns of the table: their names, and what a promise has there.
-pub fn columns(promise: &Promise) -> [(&'static str, String); 15] {
+pub fn columns(promise: &Promise) -> [(&'static str, String); 17] {
     let (problem, kept) = (&promise.problem, promise.kept.as_ref().ok());
     let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
     let truth = promise.truth.as_ref().ok();
@@ -35,6 +35,11 @@ pub fn columns(promise: &Promise) -> [(&'static str, String); 15] {
         ),
         ("error", number(promise.error())),
         ("broken_by", number(promise.broken_by())),
+        (
+            "furthest_told",
+            number(kept.and_then(|kept| kept.furthest_told)),
+        ),
+        ("furthest", number(kept.and_then(|kept| kept.furthest))),
         ("note", reasons.join("; ")),
     ]
 }
