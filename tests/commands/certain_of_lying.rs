@@ -3,9 +3,9 @@
 use rayon::prelude::*;
 use results::analysis::wilson;
 
-use crate::support::Workplace;
+use crate::support::{Workplace, with};
 use crate::window::{Numbers, table};
-use crate::window_of_lying::random_collar;
+use crate::window_of_lying::{pipe, random_collar};
 
 /// Columns of the label and of whether it is certain.
 const LABEL: [&str; 2] = ["lateral", "lateral_certified"];
@@ -65,6 +65,22 @@ fn tested(number: u64) -> Vec<(String, bool, String)> {
     let both = found.into_iter().zip(truth);
     both.map(|([label, is_certain], [truth, _])| (label, is_certain == "true", truth))
         .collect()
+}
+
+/// Let go as at rest all settings say that it snakes, less from swing to swing: longer simulated it may lie still.
+#[test]
+fn a_swing_that_fades_is_not_certain() {
+    let methods = "methods = [\"finite-element\"]";
+    let text = with(
+        &pipe("turning"),
+        methods,
+        "methods = [\"held\", \"finite-element\"]\ncertify = true",
+    );
+    let found = labels("", "held", &text).unwrap();
+    assert_eq!(found.len(), 6);
+    for label in found {
+        assert_eq!(label, ["snaking", "false"]);
+    }
 }
 
 /// `STRINGS=100` for what the guide says; here are two.

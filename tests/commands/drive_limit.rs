@@ -53,6 +53,43 @@ fn a_drive_without_the_torque_for_the_bit_stalls() {
     assert_ne!(stalled, linear);
 }
 
+/// A string of 300 m below a motor of 4 kN m and a rotor of 2000 kg m², simulated from both starts at a speed
+/// under some torque: all it needs but for 0.1 N m s/m of damping is that.
+fn nearly_stalling(keys: &str, [rpm, torque_nm]: [f64; 2]) -> String {
+    format!(
+        "methods = [\"held\"]\nsampling_frequency_hz = 400\nstart = \"both\"\n{keys}surface_speed_rpm = {rpm}\n\
+         [string]\nshear_modulus_gpa = 80\ndensity_kg_m3 = 7840\ntorsional_damping_nms_rad_m = 0.1\n\
+         sections = [{{ repeat = 1, parts = [{{ length_m = 300, inner_radius_m = 0.05, outer_radius_m = 0.07 }}] }}]\n\
+         [bit]\ntorque_static_ratio = 1.3\n[top_drive]\ninertia_kg_m2 = 2000\ncontroller = \"stiff\"\n{}\
+         [design]\nkind = \"grid\"\n[design.axes]\ntorque_dynamic_nm = {{ values = [{torque_nm}] }}\n",
+        limited(4.0)
+    )
+}
+
+/// A bit that takes 50 N m more than the drive gives slows down for minutes: that is no smooth rotation.
+#[test]
+fn a_bit_that_slows_down_is_followed_until_it_stalls() {
+    assert_eq!(
+        column(&nearly_stalling("", [30.0, 4050.0]), "torsion"),
+        ["stuck"]
+    );
+    let place = Workplace::with_small(&nearly_stalling("time_s = 40\n", [30.0, 4050.0]));
+    let run = done(&place, &["run", "small.toml", "--out", "out"]);
+    let said = run.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("in 1 of 1 row"), "{said}");
+    assert!(said.contains("the bit still changed its speed"), "{said}");
+}
+
+/// Held it stalls, and turning it turns on.
+#[test]
+fn where_a_drive_stalls_by_the_start_the_case_is_bistable() {
+    let text = nearly_stalling("", [10.0, 3980.0]);
+    let [case, stuck, smooth] =
+        ["torsion", "torsion_from_stuck", "torsion_from_smooth"].map(|name| column(&text, name));
+    let found = [&case[0], &stuck[0], &smooth[0]];
+    assert_eq!(found, ["bistable", "stuck", "smooth"]);
+}
+
 /// What turns the surface is in the rows and in the history, and never more than the limit.
 #[test]
 fn the_torque_is_recorded_and_within_its_limit() {

@@ -24,7 +24,7 @@ const FRICTION: f64 = 0.3;
 const SPACING: f64 = 7.4;
 
 /// Pipe at 60° on nine sites from the bit up, which starts from a motion.
-fn pipe(start: &str) -> String {
+pub fn pipe(start: &str) -> String {
     let site = |number: usize| {
         let distance = number as f64 * SPACING;
         format!("[[sites]]\ndistance_from_bit_m = {distance}\n")

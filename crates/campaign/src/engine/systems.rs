@@ -321,7 +321,11 @@ impl MethodSystem {
             return Ok(None);
         };
         let (stuck, smooth) = (torsion.regime, other.regime);
-        torsion.regime = TorsionRegime::from_two_starts(stuck, smooth);
+        // Below a drive of limited torque what is stuck has stalled.
+        torsion.regime = match self.setting.drive_limit {
+            Some(_) if stuck != smooth && !other.fades && !torsion.fades => TorsionRegime::Bistable,
+            _ => TorsionRegime::from_two_starts(stuck, smooth),
+        };
         torsion.fades |= other.fades;
         torsion.is_irregular |= other.is_irregular;
         // What was predicted is of the first start.

@@ -137,11 +137,11 @@ impl Islands {
         match others {
             0 => format!(
                 "(none of {labels} labels further than {asked} % from a limit is that of its other \
-                 side; narrower islands are not seen)"
+                 side; what lies between them is not seen)"
             ),
             _ => format!(
-                "a limit is ragged: {others} of {labels} labels further than {asked} % from one are \
-                 those of its other side, up to {} % from it",
+                "a limit is ragged: labels further than {asked} % from one are those of its other side \
+                 in {others} of {labels} places, up to {} % from it",
                 per_cent(self.furthest)
             ),
         }

@@ -671,6 +671,19 @@ pub static COLUMNS: &[ResultColumn] = &[
     )
     .of(Motion::Lateral)
     .group(Group::Certificate),
+    number(
+        "finer_swing_deg",
+        "deg",
+        "Swing to either side of the mean angle by shorter steps",
+        |row| match row.finer(Motion::Lateral) {
+            Some(MotionVerdict::Lateral {
+                swing_amplitude, ..
+            }) => swing_amplitude.map(f64::to_degrees).into(),
+            _ => Field::Nothing,
+        },
+    )
+    .of(Motion::Lateral)
+    .group(Group::Certificate),
     text(
         "torsion_from_stuck",
         "Torsion after the bit was held",

@@ -138,7 +138,8 @@ impl MotionVerdict {
                 precession_rate,
                 least_precession_rate,
                 mean_normal_force: Some(mean_normal_force),
-                swing_amplitude: lying.map(|lying| lying.swing_amplitude),
+                // Of one that fades, the amplitude of a longer case is another.
+                swing_amplitude: (lying.filter(|it| !it.fades)).map(|it| it.swing_amplitude),
             },
             Measures::Axial(axial) => Self::Axial {
                 regime: axial.regime,

@@ -229,14 +229,18 @@ impl Manifest {
             .iter()
             .map(|(_, rate, _, needed)| rate * needed)
             .fold(0.0, f64::max);
+        let has_accuracy = self.accuracy.is_some();
         all.into_iter().map(move |(method, rate, frequency, needed)| {
             let steps = frequency / rate;
+            let remedy = match has_accuracy {
+                true => "a smaller `accuracy`".to_owned(),
+                false => format!("`sampling_frequency_hz = {:.0}`", resolving.ceil()),
+            };
             format!(
                 "{method}: whirl at {rate:.0} turns/s has {steps:.1} steps in a turn at {} Hz, and \
                  needs {needed}: its force is too small, and whirl that lasts may be missed; \
-                 `sampling_frequency_hz = {:.0}` resolves it",
+                 {remedy} resolves it",
                 short(frequency),
-                resolving.ceil(),
             )
         })
     }

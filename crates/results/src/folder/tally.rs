@@ -339,8 +339,8 @@ impl Tally {
     pub fn fading_words(&self) -> Option<String> {
         (self.fading > 0).then(|| {
             format!(
-                "in {} of {} stick-slip or a swing still faded at the end of the time: a larger \
-                 `time_s` decides",
+                "in {} of {} stick-slip or a swing still faded at the end of the time, or the bit still changed \
+                 its speed below a drive at its limit: a larger `time_s` decides",
                 self.fading,
                 counted(self.rows, "row")
             )

@@ -5,6 +5,7 @@ use crate::error::SimulationError;
 use crate::label::Label;
 use crate::laws::contact::WallLaw;
 use crate::laws::torque::TorqueLaw;
+use crate::limited_drive::LimitedDrive;
 use crate::motion::{Motion, PerMotion};
 use crate::outcome::{Ended, Measures, Outcome, Stopping};
 use crate::scene::{Lateral, Scene};
@@ -206,17 +207,23 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
     }
 
     /// A case that begins with a steady motion has no first slip to wait for.
-    fn torsion(&self, end: &End) -> Option<TorsionMeasures> {
+    fn torsion(&self, end: &End, surface: Option<&SurfaceMeasures>) -> Option<TorsionMeasures> {
         let watch = self.watch.bit.as_ref()?;
         let motor = self.watch.motor.as_ref();
         let faster = motor.map_or(0.0, MotorWatch::mean_relative_speed);
         let measures = watch.measures(self.scene.surface_speed + faster);
         // Settled motion changes by no more than it may.
         let may_change = end.ended == Ended::End && end.predicted.is_none();
+        // A drive that lacks the torque for its speed gives all it has.
+        let lacks = |(drive, surface): (&LimitedDrive, &SurfaceMeasures)| {
+            surface.mean_torque > (1.0 - Rules::USUAL.settling_tolerance) * drive.limit()
+        };
+        let lacks_torque = self.system.drive.as_ref().zip(surface).is_some_and(lacks);
+        let is_smooth = measures.regime == TorsionRegime::Smooth;
         Some(TorsionMeasures {
             first_slip: (measures.first_slip).filter(|_| self.scene.start == Start::Rest),
             motor_stalled_fraction: motor.map(MotorWatch::stalled_fraction),
-            fades: measures.fades && may_change,
+            fades: measures.fades && may_change && (lacks_torque || !is_smooth),
             is_irregular: measures.is_irregular && may_change,
             ..measures
         })
@@ -228,7 +235,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
     }
 
     pub(super) fn outcome(&self, end: End) -> Result<Outcome, SimulationError> {
-        let torsion = self.torsion(&end);
+        let surface = self.watch.surface.as_ref().map(|torques| {
+            let window = self.scene.timing.closing_window;
+            SurfaceMeasures::of(torques, self.system.sampling, window)
+        });
+        let torsion = self.torsion(&end, surface.as_ref());
         let mut lateral = self.watch.walls.as_ref().map(|(watch, settling)| {
             if end.settled {
                 settling.measures(watch)
@@ -250,10 +261,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Case<'a, B, W> {
                 Motion::Lateral => lateral.map(Measures::Lateral),
                 Motion::Axial => self.axial().map(Measures::Axial),
             }),
-            surface: (self.watch.surface.as_ref()).map(|torques| {
-                let window = self.scene.timing.closing_window;
-                SurfaceMeasures::of(torques, self.system.sampling, window)
-            }),
+            surface,
             string_torque: (self.watch.along.as_ref())
                 .map(|along| along.measures(self.system.sites.distances_from_bit())),
             stress: None,

@@ -32,9 +32,10 @@ with_words! {
         /// the start may recapture the bit often before it dies away.
         StickSlip = "stick_slip",
         /// Either, as the motion began: recaptured again and again from one start, turning on
-        /// from another. No single simulation has it.
+        /// from another; or, below a drive that stalls, stuck from one. No single simulation has it.
         Bistable = "bistable",
-        /// Recaptured again and again, for ever shorter, as far as it is followed: undetermined.
+        /// Recaptured again and again, for ever shorter, as far as it is followed: undetermined. Or
+        /// turning, below a drive of limited torque, ever slower or faster.
         Undetermined = "undetermined",
     }
 }
@@ -79,7 +80,8 @@ pub struct TorsionMeasures {
     /// its stall torque, and the bit turns with the string; none without a motor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motor_stalled_fraction: Option<f64>,
-    /// Whether it sticks for ever shorter: longer simulated, it may turn on.
+    /// Whether it sticks for ever shorter: longer simulated, it may turn on. Or, below a drive of limited
+    /// torque, turns ever slower or faster: longer simulated, it may stall.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub fades: bool,
     /// Whether it sticks for times so different from cycle to cycle that it may yet turn on.
@@ -206,6 +208,8 @@ pub(crate) struct BitWatch {
 #[derive(Debug, Clone)]
 struct Closing {
     sum: f64,
+    /// Of its second half.
+    late: f64,
     least: f64,
     most: f64,
 }
@@ -259,6 +263,7 @@ impl BitWatch {
             peak_speed: 0.0,
             closing: Closing {
                 sum: 0.0,
+                late: 0.0,
                 least: f64::INFINITY,
                 most: f64::NEG_INFINITY,
             },
@@ -317,6 +322,9 @@ impl BitWatch {
         self.peak_speed = self.peak_speed.max(speed);
         if self.step >= self.closing_from {
             self.closing.see(speed, 1);
+            if 2 * (self.step - self.closing_from) >= self.steps - self.closing_from {
+                self.closing.late += speed;
+            }
         }
         self.step += 1;
     }
@@ -450,6 +458,14 @@ impl BitWatch {
             .map(|first| time(self.last_slip - first) / (self.slips - 1) as f64);
         let closing_steps = self.step.saturating_sub(self.closing_from).max(1);
         let swing = self.closing.most - self.closing.least;
+        let early = self.closing.sum - self.closing.late;
+        let changes = (self.closing.late - early).abs()
+            > 0.5 * self.rules.settling_tolerance * self.closing.sum.abs();
+        let fades = match regime {
+            TorsionRegime::StickSlip => self.stuck.ever_shorter >= EVER_SHORTER,
+            TorsionRegime::Smooth => self.may_stall && changes,
+            _ => false,
+        };
         TorsionMeasures {
             regime,
             first_slip: self.first_slip.map(|step| self.sampling.time_of(step)),
@@ -460,7 +476,7 @@ impl BitWatch {
             closing_speed: self.closing.sum / closing_steps as f64,
             severity: Some(0.5 * swing / mean_speed.abs()).filter(|severity| severity.is_finite()),
             motor_stalled_fraction: None,
-            fades: regime == TorsionRegime::StickSlip && self.stuck.ever_shorter >= EVER_SHORTER,
+            fades,
             is_irregular: regime == TorsionRegime::StickSlip && self.stuck.is_irregular(),
         }
     }
