@@ -98,8 +98,8 @@ impl Dependence {
             other_whirl,
         } = self;
         let how = change.words();
-        let or_accuracy = match content.may_have_accuracy() {
-            true => ", or set `accuracy`",
+        let or_accuracy = match content.may_have_accuracy() && !content.certify {
+            true => ", or set `accuracy` in place of method and frequency",
             false => "",
         };
         let what_to_do = match change {
@@ -146,6 +146,11 @@ pub fn dependences(
     let has_own = |cases: &&Vec<Sampled>| cases.iter().any(|it| it.is_own);
     // One string after the other, for their memory.
     let built = Some(built).filter(|_| !sweep.design.varies_string());
+    // Labels of cases that are followed to their end are those of cases that are not.
+    let options = RunOptions {
+        full: false,
+        ..options
+    };
     let of_string = |cases: &Vec<Sampled>| match OfString::new(sweep, cases, options) {
         Ok(of_string) => of_string.counts(&variants, built),
         Err(_) => vec![None; variants.len()],

@@ -106,6 +106,45 @@ pub(crate) fn meet_cut(
     meet_below(motor, line, act, |cut| [-cut.torque, cut.speed])
 }
 
+/// What a wall does, what else resists the torque of its friction given.
+#[inline(always)]
+pub(crate) fn meet_wall<W: WallLaw>(
+    wall: &W,
+    lateral: &LateralLine,
+    line: LoadLine,
+    resistance: Option<Resistance>,
+) -> Result<Contact, ContactError> {
+    wall.meet(&Approach {
+        free_position: lateral.free_position,
+        previous_position: lateral.previous_position,
+        previous_sliding_speed: lateral.previous_sliding_speed,
+        present_position: lateral.present_position,
+        compliance: lateral.compliance,
+        spin: Spin {
+            free_speed: line.free_speed,
+            compliance: line.compliance,
+            resistance,
+        },
+        sampling: lateral.sampling,
+    })
+}
+
+/// What the others have to know of a port that a wall alone turns.
+#[inline(always)]
+pub(crate) fn turned_by_wall(contact: &Contact, line: LoadLine) -> Solved {
+    Solved {
+        load: Load {
+            force: contact.force,
+            torque: contact.torque,
+        },
+        normal_force: contact.normal_force,
+        slack: 0.0,
+        speed: line.free_speed + line.compliance * contact.torque,
+        // What touches turns as the wall lets it.
+        fall: (!contact.touches()).then_some(0.0),
+    }
+}
+
 impl<B: TorqueLaw> PortTorque<'_, B> {
     /// Meets the load line of what the law acts on, which is not the string below a motor; a `guess` of
     /// the speed (rad/s) saves time.
@@ -192,19 +231,7 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
             speed: &speed,
             jump: line.compliance * drop,
         });
-        let contact = wall.meet(&Approach {
-            free_position: lateral.free_position,
-            previous_position: lateral.previous_position,
-            previous_sliding_speed: lateral.previous_sliding_speed,
-            present_position: lateral.present_position,
-            compliance: lateral.compliance,
-            spin: Spin {
-                free_speed: line.free_speed,
-                compliance: line.compliance,
-                resistance,
-            },
-            sampling: lateral.sampling,
-        })?;
+        let contact = meet_wall(wall, lateral, line, resistance)?;
         let free_speed = line.free_speed + line.compliance * contact.torque;
         let law = turned(free_speed);
         let speed = law.speed().unwrap_or(free_speed);

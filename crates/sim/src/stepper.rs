@@ -61,7 +61,7 @@ use crate::laws::wall::Wall;
 use crate::limited_drive::DriveMotion;
 use crate::line::pieces::SurfaceStep;
 use crate::line::{Torsion, TorsionPast, Within};
-use crate::port::{PortTorque, Turned, meet_bit, meet_cut};
+use crate::port::{PortTorque, Turned, meet_bit, meet_cut, meet_wall, turned_by_wall};
 use crate::scene::Scene;
 use crate::start::Start;
 use crate::system::System;
@@ -469,33 +469,43 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         };
         let mut wavering = Wavering::default();
         let settled = coupling.settle(free, |port, unloaded: Unloaded| {
-            let before = wavering.released().unwrap_or(bit_state).clone();
-            let torque = match (&*bit, &*axial, friction.get(port)) {
-                (Some((law, at)), _, _) if *at == port => PortTorque::Bit(*law, &before, motor),
-                (_, Some((axial, at)), _) if *at == port => PortTorque::Cut(axial, motor),
-                (_, _, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
-                _ => PortTorque::Free,
-            };
             let line = LoadLine {
                 time,
                 free_speed: unloaded.speed,
                 compliance: within.compliance(port),
             };
-            let guess = unloaded.guess.unwrap_or(now.speeds[port]);
             let wall = lateral.and_then(|lateral| Some((lateral, lateral.wall_at(port)?)));
-            let (turn, solved) = match wall {
+            let before;
+            let torque = match (&*bit, &*axial, friction.get(port)) {
+                (Some((law, at)), _, _) if *at == port => {
+                    before = wavering.released().unwrap_or(bit_state).clone();
+                    PortTorque::Bit(*law, &before, motor)
+                }
+                (_, Some((axial, at)), _) if *at == port => PortTorque::Cut(axial, motor),
+                (_, _, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
+                _ => PortTorque::Free,
+            };
+            let guess = unloaded.guess.unwrap_or(now.speeds[port]);
+            let of_contact =
+                |error| SimulationError::of_contact(error, system.torsion.loaded()[port], time);
+            let (law, solved) = match wall {
                 None => {
                     let turn = torque.turn(line, guess);
                     let solved = torque.solved(&turn, &Contact::NONE);
-                    (turn, solved)
+                    (turn.law, solved)
                 }
                 Some((lateral, (at, wall))) => {
                     let lateral_line = lateral.line(at, &unloaded);
-                    let met = torque.turn_at_wall(wall, &lateral_line, line, guess);
-                    let (contact, turn) = met.map_err(|error| {
-                        SimulationError::of_contact(error, system.torsion.loaded()[port], time)
-                    })?;
-                    let mut solved = torque.solved(&turn, &contact);
+                    let (contact, law, mut solved) = if torque.is_free() {
+                        let met = meet_wall(wall, &lateral_line, line, None);
+                        let contact = met.map_err(of_contact)?;
+                        (contact, Turned::Free, turned_by_wall(&contact, line))
+                    } else {
+                        let met = torque.turn_at_wall(wall, &lateral_line, line, guess);
+                        let (contact, turn) = met.map_err(of_contact)?;
+                        let solved = torque.solved(&turn, &contact);
+                        (contact, turn.law, solved)
+                    };
                     match lateral.spring(at) {
                         Some(spring) => solved.take_back(spring, contact.position),
                         None if solved.load == Load::default() && torque.is_free() => {
@@ -504,14 +514,14 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                         None => {}
                     }
                     now.contacts[at] = contact;
-                    (turn, solved)
+                    (law, solved)
                 }
             };
             if !(solved.speed.is_finite() && solved.load.torque.is_finite()) {
                 return Err(system.not_finite(port, time));
             }
             now.speeds[port] = solved.speed;
-            match turn.law {
+            match law {
                 Turned::Free => {}
                 Turned::Bit(answer) => {
                     wavering.see(bit.map(|(law, _)| law.motion(&answer)), &answer.state);
