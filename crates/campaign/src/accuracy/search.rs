@@ -13,7 +13,7 @@ use crate::sweep_file::per_cent;
 use crate::words::short;
 
 /// A candidate within what was asked for.
-pub struct Found {
+pub struct Suitable {
     method: Method,
     candidate: Candidate,
     error: f64,
@@ -42,7 +42,7 @@ impl Search<'_> {
     /// A candidate found as what is chosen.
     pub fn choice(
         &self,
-        found: Found,
+        found: Suitable,
         reference: &Reference,
         uncertainty: f64,
         tried: Vec<Tried>,
@@ -76,7 +76,7 @@ impl Search<'_> {
         uncertainty: f64,
         held: f64,
         tried: &mut Vec<Tried>,
-    ) -> Result<Option<Found>> {
+    ) -> Result<Option<Suitable>> {
         let (strings, steps) = (&self.references.probes.strings, Steps::Frequency(frequency));
         let allowed = self.references.asked - uncertainty;
         for method in methods(self.references.probes.sweep) {
@@ -108,7 +108,7 @@ impl Search<'_> {
                 let systems = systems.as_ref().ok();
                 let islands_of =
                     |systems| (self.references.probes).islands(systems, &reference.answers);
-                return Ok(Some(Found {
+                return Ok(Some(Suitable {
                     method,
                     candidate,
                     error,

@@ -69,7 +69,7 @@ pub struct Candidate {
 /// that are those of the other side: where there are any, a limit is ragged.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Islands {
-    /// Labels looked at.
+    /// Labels examined.
     pub labels: usize,
     /// How many of them are those of the other side.
     pub others: usize,
@@ -130,7 +130,7 @@ impl Choice {
 }
 
 impl Islands {
-    /// How far the limit is ragged, or what was looked at.
+    /// How far the limit is ragged, or what was examined.
     fn words(&self, asked: f64) -> String {
         let Self { labels, others, .. } = self;
         let asked = per_cent(asked);

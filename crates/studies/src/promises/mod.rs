@@ -54,10 +54,10 @@ pub struct Kept {
     /// The limit by the method chosen; `None` where that is more than a factor
     /// [`campaign::accuracy::bisection::WITHIN`] from the true one.
     pub limit: Option<f64>,
-    /// How far from its limit the furthest label of the other side was said to be, a part of it; 0
+    /// How far from its limit the furthest label of the other side was reported, a part of it; 0
     /// where none was seen.
-    pub furthest_told: Option<f64>,
-    /// How far from `limit` it is, of those looked at.
+    pub furthest_reported: Option<f64>,
+    /// How far from `limit` it is, of those examined.
     pub furthest: Option<f64>,
 }
 
@@ -169,7 +169,7 @@ fn kept(problem: &Problem, sweep: &Sweep, truth: Option<&Truth>) -> Result<Kept>
         sampling_frequency: choice.chosen.sampling_frequency_hz,
         estimated: choice.delivered,
         limit,
-        furthest_told: choice.islands.as_ref().map(|islands| islands.furthest),
+        furthest_reported: choice.islands.as_ref().map(|islands| islands.furthest),
         furthest: scanned.map(|(finder, limit)| finder.furthest_island(limit, choice.asked)),
     })
 }

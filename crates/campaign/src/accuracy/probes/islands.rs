@@ -17,7 +17,7 @@ const PLACES: usize = 16;
 /// Cases simulated for the islands of one limit.
 pub const ISLAND_CASES: f64 = 2.0 * (PLACES + 1) as f64;
 
-/// Places on either side of a limit where the chosen method is looked at: together no more than the
+/// Places on either side of a limit where the chosen method is examined: together no more than the
 /// sweep has cases, but for the least.
 const MOST_PLACES: usize = 64;
 const LEAST_PLACES: usize = 8;

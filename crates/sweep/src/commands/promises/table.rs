@@ -36,8 +36,8 @@ pub fn columns(promise: &Promise) -> [(&'static str, String); 17] {
         ("error", number(promise.error())),
         ("broken_by", number(promise.broken_by())),
         (
-            "furthest_told",
-            number(kept.and_then(|kept| kept.furthest_told)),
+            "furthest_reported",
+            number(kept.and_then(|kept| kept.furthest_reported)),
         ),
         ("furthest", number(kept.and_then(|kept| kept.furthest))),
         ("note", reasons.join("; ")),
