@@ -17,8 +17,8 @@ const PLACES: usize = 16;
 /// Cases simulated for the islands of one limit.
 pub const ISLAND_CASES: f64 = 2.0 * (PLACES + 1) as f64;
 
-/// Places on either side of a limit where the chosen method is examined: together no more than the
-/// sweep has cases, but for the least.
+/// Places on either side of all limits together where the chosen method is examined, and of one at
+/// least.
 const MOST_PLACES: usize = 64;
 const LEAST_PLACES: usize = 8;
 
@@ -92,15 +92,14 @@ impl Probes<'_> {
     }
 
     /// The islands beyond the limits of a reference by what was chosen, looked for in more places
-    /// than those that refuse one where a sweep of as many cases can afford that; `None` where no
-    /// limit is known, or another rule knows it.
+    /// than those that refuse one; `None` where no limit is known, or another rule knows it.
     pub fn islands(&self, systems: &Systems, answers: &[Answer]) -> Option<Islands> {
         let limits = self.nearest_to_limits(answers);
         if self.cuts() || limits.is_empty() || self.asked >= FURTHEST.ln() {
             return None;
         }
-        let affordable = self.sweep.design.cases() / (2 * limits.len());
-        let distances = self.distances(affordable.clamp(LEAST_PLACES, MOST_PLACES), 0.5);
+        let places = (MOST_PLACES / limits.len()).max(LEAST_PLACES);
+        let distances = self.distances(places, 0.5);
         let labels = 2 * limits.len() * distances.len();
         let sides = limits
             .into_iter()
