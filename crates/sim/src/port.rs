@@ -106,7 +106,7 @@ pub(crate) fn meet_cut(
     meet_below(motor, line, act, |cut| [-cut.torque, cut.speed])
 }
 
-/// What a wall does, what else resists the torque of its friction given.
+/// Answer of a wall, what else resists the torque of its friction given.
 #[inline(always)]
 pub(crate) fn meet_wall<W: WallLaw>(
     wall: &W,
@@ -129,7 +129,7 @@ pub(crate) fn meet_wall<W: WallLaw>(
     })
 }
 
-/// What the others have to know of a port that a wall alone turns.
+/// Solution of a port that a wall alone turns.
 #[inline(always)]
 pub(crate) fn turned_by_wall(contact: &Contact, line: LoadLine) -> Solved {
     Solved {

@@ -265,7 +265,7 @@ impl Tally {
         *deepest = deepest.max(depth_mm);
     }
 
-    /// How wide cutters have to be to cut as deep, in a sentence for each method; none where any do.
+    /// How wide cutters have to be to cut as deep, in a sentence for each method; none where the narrowest do.
     fn cut_words(&self, units: Units) -> impl Iterator<Item = String> {
         let in_units = move |mm: f64| units.of(&WIDTH).text(mm, 1);
         let [least, largest] = CUTTERS_MM;

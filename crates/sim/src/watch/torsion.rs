@@ -208,7 +208,7 @@ pub(crate) struct BitWatch {
 #[derive(Debug, Clone)]
 struct Closing {
     sum: f64,
-    /// Of its second half.
+    /// Sum over its second half.
     late: f64,
     least: f64,
     most: f64,

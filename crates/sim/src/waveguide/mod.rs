@@ -124,7 +124,7 @@ impl Waveguide {
         }
     }
 
-    /// The same below a drive that gives no more than a torque, N m.
+    /// Waveguide below a drive that gives no more than a torque, N m.
     pub fn limited(self, torque: f64) -> Self {
         let drive = self.drive.map(|drive| drive.limited(torque));
         Self { drive, ..self }

@@ -31,8 +31,8 @@ impl Probes<'_> {
         parts.map(|part| self.asked * ratio.powf(part)).collect()
     }
 
-    /// Of the places near a limit on one side of it, below or above, the first where something is
-    /// otherwise than next to the limit, as a multiple of that.
+    /// First place beyond a limit on one side of it, below or above, where something is otherwise
+    /// than next to the limit, as a multiple of that.
     pub(super) fn island_next_to(
         &self,
         limit: f64,
@@ -51,7 +51,7 @@ impl Probes<'_> {
         Some(factor)
     }
 
-    /// Of each group that shares its limits the probe that is nearest to its own, with that: others
+    /// Probes that are nearest to their limits, one of each group that shares these, with them: others
     /// may last too long there.
     fn nearest_to_limits(&self, answers: &[Answer]) -> Vec<(&Probe, f64)> {
         let nearest = |group: Vec<usize>| {
@@ -113,8 +113,8 @@ impl Probes<'_> {
                         self.is_inside_at(&systems[probe.string], probe.case, factor)
                     })
                     .collect();
-                let inside = regimes.iter().filter(|regime| **regime == Some(true));
-                let is_inside = 2 * inside.count() > regimes.len();
+                // A bit sticks below its limit of speed, and whirls above one of friction.
+                let is_inside = (side > 0.0) == self.sweep.setting.lateral.is_some();
                 let others = regimes.iter().zip(&distances);
                 let others = others.filter(|(regime, _)| **regime == Some(!is_inside));
                 others.map(|(_, distance)| *distance).collect::<Vec<_>>()
