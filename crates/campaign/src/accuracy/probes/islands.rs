@@ -8,8 +8,11 @@ use super::super::strings::Systems;
 use super::{Probe, Probes};
 use crate::plan::Islands;
 
-/// Islands are looked for within this factor of a limit, beyond what was asked for.
+/// Islands refuse a reference within this factor of a limit, beyond what was asked for.
 const FURTHEST: f64 = 1.3;
+
+/// Islands are reported up to this part of a limit from it, beyond what was asked for.
+const FURTHEST_REPORTED: f64 = 0.3;
 
 /// Places on either side of a limit where they refuse a reference.
 const PLACES: usize = 16;
@@ -23,10 +26,10 @@ const MOST_PLACES: usize = 64;
 const LEAST_PLACES: usize = 8;
 
 impl Probes<'_> {
-    /// Distances from a limit, in logarithms, beyond what was asked for: a number of places, the
+    /// Distances from a limit, beyond what was asked for up to the furthest: a number of places, the
     /// closer the nearer, each this part of a step outwards.
-    fn distances(&self, places: usize, outwards: f64) -> Vec<f64> {
-        let ratio = FURTHEST.ln() / self.asked;
+    fn distances(&self, furthest: f64, places: usize, outwards: f64) -> Vec<f64> {
+        let ratio = furthest / self.asked;
         let parts = (0..places).map(|place| (place as f64 + outwards) / places as f64);
         parts.map(|part| self.asked * ratio.powf(part)).collect()
     }
@@ -40,7 +43,9 @@ impl Probes<'_> {
         is_inside_at: impl Fn(f64) -> Option<bool>,
     ) -> Option<f64> {
         let outermost = FURTHEST.ln();
-        let distances = self.distances(PLACES, 0.0).into_iter().chain([outermost]);
+        // In logarithms.
+        let distances = self.distances(outermost, PLACES, 0.0);
+        let distances = distances.into_iter().chain([outermost]);
         let beyond = distances.filter(|distance| *distance <= outermost);
         let mut regimes = beyond.map(|distance| {
             let factor = (side * distance).exp();
@@ -95,11 +100,11 @@ impl Probes<'_> {
     /// than those that refuse one; `None` where no limit is known, or another rule knows it.
     pub fn islands(&self, systems: &Systems, answers: &[Answer]) -> Option<Islands> {
         let limits = self.nearest_to_limits(answers);
-        if self.cuts() || limits.is_empty() || self.asked >= FURTHEST.ln() {
+        if self.cuts() || limits.is_empty() || self.asked >= FURTHEST_REPORTED {
             return None;
         }
         let places = (MOST_PLACES / limits.len()).max(LEAST_PLACES);
-        let distances = self.distances(places, 0.5);
+        let distances = self.distances(FURTHEST_REPORTED, places, 0.5);
         let labels = 2 * limits.len() * distances.len();
         let sides = limits
             .into_iter()
@@ -109,7 +114,7 @@ impl Probes<'_> {
             |((probe, limit), side): ((&Probe, f64), f64)| {
                 let regimes: Vec<Option<bool>> = (distances.iter())
                     .map(|distance| {
-                        let factor = limit * (side * distance).exp();
+                        let factor = limit * (1.0 + side * distance);
                         self.is_inside_at(&systems[probe.string], probe.case, factor)
                     })
                     .collect();
@@ -124,7 +129,7 @@ impl Probes<'_> {
         Some(Islands {
             labels,
             others: others.len(),
-            furthest: others.into_iter().fold(0.0, f64::max).exp_m1(),
+            furthest: others.into_iter().fold(0.0, f64::max),
         })
     }
 }
