@@ -1,11 +1,12 @@
 //! The ports that bend, in two planes: what disturbs them, where that and the past bring them, and
 //! where their walls leave them.
 
-use crate::coupling::Unloaded;
+use crate::coupling::{Load, Solved, Unloaded};
 use crate::error::SimulationError;
-use crate::laws::contact::{Contact, WallLaw};
+use crate::laws::contact::{Contact, ContactError, WallLaw};
+use crate::laws::torque::LoadLine;
 use crate::line::{Bending, Past, WallPorts};
-use crate::port::LateralLine;
+use crate::port::{LateralLine, meet_wall, turned_by_wall};
 use crate::scene::Lateral;
 use crate::system::System;
 
@@ -206,6 +207,31 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             compliance,
             sampling: self.system.sampling,
         }
+    }
+
+    /// What a wall does at a port that nothing else turns, and what the others have to know of it.
+    ///
+    /// # Errors
+    /// Where the wall has no answer.
+    #[inline(always)]
+    pub(crate) fn meet(
+        &self,
+        site: usize,
+        wall: &W,
+        unloaded: &Unloaded,
+        line: LoadLine,
+    ) -> Result<(Contact, Solved), ContactError> {
+        let lateral_line = self.line(site, unloaded);
+        let contact = meet_wall(wall, &lateral_line, line, None)?;
+        let mut solved = turned_by_wall(&contact, line);
+        match self.spring(site) {
+            Some(spring) => solved.take_back(spring, contact.position),
+            None if solved.load == Load::default() => {
+                solved.slack = lateral_line.slack(wall.clearance());
+            }
+            None => {}
+        }
+        Ok((contact, solved))
     }
 
     /// Ends a step with what all walls did and the speeds of all ports, rad/s.

@@ -26,7 +26,7 @@ impl LateralLine {
     /// The force, N, that a site without a load may be pushed by before it reaches its wall.
     pub(crate) fn slack(&self, clearance: f64) -> f64 {
         let [x, y] = self.free_position;
-        ((clearance - x.hypot(y)) / self.compliance).max(0.0)
+        ((clearance - (x * x + y * y).sqrt()) / self.compliance).max(0.0)
     }
 }
 

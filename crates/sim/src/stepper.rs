@@ -48,7 +48,7 @@ mod seen;
 use linear::SteadyMotion;
 
 use crate::axial_motion::AxialMotion;
-use crate::coupling::{Coupling, Free, Load, Unloaded};
+use crate::coupling::{Coupling, Free, Unloaded};
 use crate::error::SimulationError;
 use crate::lateral_motion::LateralMotion;
 use crate::laws::bit::BitTorque;
@@ -61,7 +61,7 @@ use crate::laws::wall::Wall;
 use crate::limited_drive::DriveMotion;
 use crate::line::pieces::SurfaceStep;
 use crate::line::{Torsion, TorsionPast, Within};
-use crate::port::{PortTorque, Turned, meet_bit, meet_cut, meet_wall, turned_by_wall};
+use crate::port::{PortTorque, Turned, meet_bit, meet_cut, turned_by_wall};
 use crate::scene::Scene;
 use crate::start::Start;
 use crate::system::System;
@@ -266,6 +266,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             // No other port has to agree with the bit.
             (Within::All(torsion), None) if self.friction.is_empty() => self.meet_bit(torsion)?,
             _ if self.drive.is_some() => self.meet_all_and_drive()?,
+            _ if self.has_walls_alone() => self.meet_walls()?,
             _ => self.meet_all()?,
         }
         if let (Some((axial, _)), Some(cut)) = (&self.axial, &self.now.cut) {
@@ -444,6 +445,61 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         Err(SimulationError::NotSettled { time })
     }
 
+    /// Whether no law acts on any port but those of walls.
+    #[inline]
+    fn has_walls_alone(&self) -> bool {
+        let none_else = self.bit.is_none() && self.axial.is_none() && self.friction.is_empty();
+        none_else && self.lateral.is_some()
+    }
+
+    /// All walls at once, where nothing else acts: as [`Self::meet_all`], without what there is not.
+    fn meet_walls(&mut self) -> Result<(), SimulationError> {
+        let Self {
+            system,
+            within,
+            lateral,
+            coupling,
+            free,
+            now,
+            ..
+        } = self;
+        let (system, time) = (*system, now.time);
+        let Some(lateral) = lateral else {
+            return Ok(());
+        };
+        let free = Free {
+            positions: lateral.free_positions(),
+            turning: free,
+        };
+        let settled = coupling.settle(free, |port, unloaded: Unloaded| {
+            let line = LoadLine {
+                time,
+                free_speed: unloaded.speed,
+                compliance: within.compliance(port),
+            };
+            let solved = match lateral.wall_at(port) {
+                None => turned_by_wall(&Contact::NONE, line),
+                Some((at, wall)) => {
+                    let met = lateral.meet(at, wall, &unloaded, line);
+                    let (contact, solved) = met.map_err(|error| {
+                        SimulationError::of_contact(error, system.torsion.loaded()[port], time)
+                    })?;
+                    now.contacts[at] = contact;
+                    solved
+                }
+            };
+            if !(solved.speed.is_finite() && solved.load.torque.is_finite()) {
+                return Err(system.not_finite(port, time));
+            }
+            now.speeds[port] = solved.speed;
+            Ok(solved)
+        })?;
+        match settled {
+            true => Ok(()),
+            false => Err(SimulationError::NotSettled { time }),
+        }
+    }
+
     /// All laws of all ports at once.
     fn meet_all(&mut self) -> Result<(), SimulationError> {
         let Self {
@@ -494,27 +550,22 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                     let solved = torque.solved(&turn, &Contact::NONE);
                     (turn.law, solved)
                 }
+                Some((lateral, (at, wall))) if torque.is_free() => {
+                    let met = lateral.meet(at, wall, &unloaded, line);
+                    let (contact, solved) = met.map_err(of_contact)?;
+                    now.contacts[at] = contact;
+                    (Turned::Free, solved)
+                }
                 Some((lateral, (at, wall))) => {
                     let lateral_line = lateral.line(at, &unloaded);
-                    let (contact, law, mut solved) = if torque.is_free() {
-                        let met = meet_wall(wall, &lateral_line, line, None);
-                        let contact = met.map_err(of_contact)?;
-                        (contact, Turned::Free, turned_by_wall(&contact, line))
-                    } else {
-                        let met = torque.turn_at_wall(wall, &lateral_line, line, guess);
-                        let (contact, turn) = met.map_err(of_contact)?;
-                        let solved = torque.solved(&turn, &contact);
-                        (contact, turn.law, solved)
-                    };
-                    match lateral.spring(at) {
-                        Some(spring) => solved.take_back(spring, contact.position),
-                        None if solved.load == Load::default() && torque.is_free() => {
-                            solved.slack = lateral_line.slack(wall.clearance());
-                        }
-                        None => {}
+                    let met = torque.turn_at_wall(wall, &lateral_line, line, guess);
+                    let (contact, turn) = met.map_err(of_contact)?;
+                    let mut solved = torque.solved(&turn, &contact);
+                    if let Some(spring) = lateral.spring(at) {
+                        solved.take_back(spring, contact.position);
                     }
                     now.contacts[at] = contact;
-                    (law, solved)
+                    (turn.law, solved)
                 }
             };
             if !(solved.speed.is_finite() && solved.load.torque.is_finite()) {

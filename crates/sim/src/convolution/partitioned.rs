@@ -120,20 +120,19 @@ impl<'a> Convolution<'a> {
         let next = self.steps % FIRST_BLOCK + 1;
         // Whole lanes from where the next step is: those before it are over.
         let first = next - next % LANES;
-        let recent = Recent {
-            kernels: self.kernels,
-            from: LANES - next % LANES,
-        };
-        for output in 0..sites {
-            let of_plane = |plane: usize| (plane * sites + output) * FIRST_BLOCK + first;
-            let count = FIRST_BLOCK - first;
-            if self.planes == 1 {
-                let known = &mut self.past.known[of_plane(0)..][..count];
-                recent.add::<S, 1>(simd, [known], output, inputs);
-            } else {
-                let (one, other) = self.past.known.split_at_mut(of_plane(1));
-                let known = [&mut one[of_plane(0)..][..count], &mut other[..count]];
-                recent.add::<S, 2>(simd, known, output, inputs);
+        let from = LANES - next % LANES;
+        let planes = inputs.chunks_exact(sites);
+        let known = self.past.known.chunks_exact_mut(sites * FIRST_BLOCK);
+        for (inputs, known) in planes.zip(known) {
+            for (input, &value) in inputs.iter().enumerate() {
+                if value == 0.0 {
+                    continue;
+                }
+                for (output, known) in known.chunks_exact_mut(FIRST_BLOCK).enumerate() {
+                    let kernel = self.kernels.kernel_of[output * sites + input];
+                    let taps = &self.kernels.recent[kernel * RECENT + from..];
+                    add_scaled(simd, &mut known[first..], value, taps);
+                }
             }
         }
     }
@@ -220,35 +219,24 @@ impl<'a> Convolution<'a> {
             let sums = &mut self.past.sums[..self.planes * stride];
             sums.fill(0.0);
             let mut is_zero = [true; 2];
-            let terms = (0..reach).flat_map(|partition| (0..sites).map(move |it| (partition, it)));
-            let (mut some, mut count) = ([Term::default(); TOGETHER], 0);
-            for (partition, input) in terms {
+            for partition in 0..reach {
                 let newest = past.blocks - 1 - partition;
-                let kernel = self.kernels.kernel_of[output * sites + input];
-                let place = kernel * plan.partitions + partition;
-                let spectrum = |plane: usize| {
-                    let place = newest * channels + plane * sites + input;
-                    let is_there = plane < self.planes && past.is_active[place];
-                    is_there.then(|| &past.spectra[place * stride..(place + 1) * stride])
-                };
-                let inputs = [0, 1].map(spectrum);
-                if inputs == [None; 2] {
-                    continue;
-                }
-                for (is_zero, input) in is_zero.iter_mut().zip(inputs) {
-                    *is_zero &= input.is_none();
-                }
-                some[count] = Term {
-                    kernel: &plan.spectra[place * stride..(place + 1) * stride],
-                    inputs,
-                };
-                count += 1;
-                if count == TOGETHER {
-                    add_terms(simd, sums, &some);
-                    count = 0;
+                for input in 0..sites {
+                    let kernel = self.kernels.kernel_of[output * sites + input];
+                    let place = kernel * plan.partitions + partition;
+                    let kernel = &plan.spectra[place * stride..(place + 1) * stride];
+                    for plane in 0..self.planes {
+                        let place = newest * channels + plane * sites + input;
+                        if !past.is_active[place] {
+                            continue;
+                        }
+                        is_zero[plane] = false;
+                        let sums = &mut sums[plane * stride..(plane + 1) * stride];
+                        let spectrum = &past.spectra[place * stride..(place + 1) * stride];
+                        add_product(simd, sums, kernel, spectrum);
+                    }
                 }
             }
-            add_terms(simd, sums, &some[..count]);
             for plane in 0..self.planes {
                 let from = (plane * sites + output) * block;
                 let ready = &mut past.ready[from..from + block];
@@ -300,147 +288,15 @@ impl WithSimd for Multiply<'_, '_> {
     }
 }
 
-/// Lanes of sums that stay in registers.
-const LANES_AT_ONCE: usize = 4;
-
-/// The first taps between all sites, as they are added to what is known of a block.
-struct Recent<'a> {
-    kernels: &'a Kernels,
-    /// Where those of a kernel begin that belong to the first lane.
-    from: usize,
-}
-
-impl Recent<'_> {
-    /// Adds what the inputs of all planes and sites make of one site to its sums in each plane. Sums stay in
-    /// registers while inputs are gone through, and taps are read once for all planes.
-    #[inline(always)]
-    fn add<S: Simd, const PLANES: usize>(
-        &self,
-        simd: S,
-        sums: [&mut [f64]; PLANES],
-        output: usize,
-        inputs: &[f64],
-    ) {
-        let mut lanes = sums.map(|sums| S::as_mut_simd_f64s(sums).0);
-        let count = lanes[0].len();
-        let mut done = 0;
-        while done + LANES_AT_ONCE <= count {
-            let place = (output, inputs);
-            self.add_lanes::<S, PLANES, LANES_AT_ONCE>(simd, &mut lanes, done, place);
-            done += LANES_AT_ONCE;
-        }
-        while done < count {
-            self.add_lanes::<S, PLANES, 1>(simd, &mut lanes, done, (output, inputs));
-            done += 1;
-        }
-    }
-
-    /// The same of some lanes of the sums.
-    #[inline(always)]
-    fn add_lanes<S: Simd, const PLANES: usize, const COUNT: usize>(
-        &self,
-        simd: S,
-        lanes: &mut [&mut [S::f64s]; PLANES],
-        done: usize,
-        (output, inputs): (usize, &[f64]),
-    ) {
-        let mut sums = [[simd.splat_f64s(0.0); COUNT]; PLANES];
-        for plane in 0..PLANES {
-            sums[plane].copy_from_slice(&lanes[plane][done..done + COUNT]);
-        }
-        let sites = self.kernels.sites;
-        let kernels = &self.kernels.kernel_of[output * sites..][..sites];
-        for input in 0..sites {
-            let taps = &self.kernels.recent[kernels[input] * RECENT + self.from..];
-            let taps = &S::as_simd_f64s(taps).0[done..done + COUNT];
-            for plane in 0..PLANES {
-                let input = inputs[plane * sites + input];
-                if input == 0.0 {
-                    continue;
-                }
-                let input = simd.splat_f64s(input);
-                for lane in 0..COUNT {
-                    let added = simd.mul_f64s(input, taps[lane]);
-                    sums[plane][lane] = simd.add_f64s(sums[plane][lane], added);
-                }
-            }
-        }
-        for plane in 0..PLANES {
-            lanes[plane][done..done + COUNT].copy_from_slice(&sums[plane]);
-        }
-    }
-}
-
-/// Products of spectra that are added at once: sums are read and written once for all of them.
-const TOGETHER: usize = 4;
-
-/// The spectrum of a kernel, and those of its inputs in both planes where they are not zero.
-#[derive(Clone, Copy, Default)]
-struct Term<'a> {
-    kernel: &'a [f64],
-    inputs: [Option<&'a [f64]>; 2],
-}
-
-/// Adds the products of terms to the sums of each plane, in their order: nothing is rounded otherwise
-/// where they are added at once.
+/// Adds a multiple of the values to whole lanes of sums.
 #[inline(always)]
-fn add_terms<S: Simd>(simd: S, sums: &mut [f64], terms: &[Term]) {
-    let is_whole = |term: &Term| term.inputs.iter().all(Option::is_some);
-    match <&[Term; TOGETHER]>::try_from(terms) {
-        Ok(terms) if terms.iter().all(is_whole) => add_together(simd, sums, terms),
-        _ => {
-            for term in terms {
-                let planes = sums.chunks_exact_mut(term.kernel.len());
-                for (sums, input) in planes.zip(term.inputs) {
-                    if let Some(input) = input {
-                        add_product(simd, sums, term.kernel, input);
-                    }
-                }
-            }
-        }
+fn add_scaled<S: Simd>(simd: S, sums: &mut [f64], factor: f64, values: &[f64]) {
+    let factor = simd.splat_f64s(factor);
+    let (sums, _) = S::as_mut_simd_f64s(sums);
+    let (values, _) = S::as_simd_f64s(values);
+    for (sum, &value) in sums.iter_mut().zip(values) {
+        *sum = simd.add_f64s(*sum, simd.mul_f64s(factor, value));
     }
-}
-
-/// The same of terms whose inputs are there in both planes, one after the other at each frequency.
-#[inline(always)]
-fn add_together<S: Simd>(simd: S, sums: &mut [f64], terms: &[Term; TOGETHER]) {
-    let stride = terms[0].kernel.len();
-    let block = stride / 2;
-    let kernels = terms.map(|term| complex_lanes::<S>(term.kernel));
-    for (plane, sums) in sums.chunks_exact_mut(stride).enumerate() {
-        let inputs = terms.map(|term| term.inputs[plane].unwrap_or_default());
-        // What stands first in both parts is real, of the lowest and of the highest frequency.
-        let ends = [0, block].map(|end| {
-            let factors = terms.iter().zip(&inputs);
-            let products = factors.map(|(term, input)| term.kernel[end] * input[end]);
-            products.fold(sums[end], |sum, product| sum + product)
-        });
-        let inputs = inputs.map(complex_lanes::<S>);
-        let (real, imaginary) = sums.split_at_mut(block);
-        let real = S::as_mut_simd_f64s(real).0;
-        let imaginary = S::as_mut_simd_f64s(imaginary).0;
-        for (lane, (re, im)) in real.iter_mut().zip(imaginary).enumerate() {
-            for (kernel, input) in kernels.iter().zip(&inputs) {
-                let (a, b, c, d) = (
-                    kernel[0][lane],
-                    kernel[1][lane],
-                    input[0][lane],
-                    input[1][lane],
-                );
-                let (real, imaginary) = (simd.mul_f64s(a, c), simd.mul_f64s(a, d));
-                *re = simd.add_f64s(*re, simd.sub_f64s(real, simd.mul_f64s(b, d)));
-                *im = simd.add_f64s(*im, simd.add_f64s(imaginary, simd.mul_f64s(b, c)));
-            }
-        }
-        (sums[0], sums[block]) = (ends[0], ends[1]);
-    }
-}
-
-/// Real and imaginary parts of a spectrum as [`split`] leaves it.
-#[inline(always)]
-fn complex_lanes<S: Simd>(spectrum: &[f64]) -> [&[S::f64s]; 2] {
-    let (real, imaginary) = spectrum.split_at(spectrum.len() / 2);
-    [S::as_simd_f64s(real).0, S::as_simd_f64s(imaginary).0]
 }
 
 /// Adds the product of two spectra, each as [`split`] leaves it.

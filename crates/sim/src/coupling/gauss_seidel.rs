@@ -55,26 +55,27 @@ impl Coupling<'_> {
         };
         for turn in 0..most_turns {
             let matters = self.matters(COUPLING_TOLERANCE, driving);
-            if !self.any_is_open(free, &matters) {
-                // The others get the latest loads of those that touch.
-                for port in 0..self.pending.len() {
-                    if self.pending[port] > self.matters_at(port, &matters) {
-                        self.solve_port(port, free, &mut solve)?;
-                    }
-                }
-                return Ok(true);
-            }
+            let have_settled = !self.any_is_open(free, &matters);
             match self.within {
+                _ if have_settled => {}
                 Within::All(torsion) if turn >= PLAIN_TURNS => {
                     newton::step(self, torsion, free, &mut solve);
                 }
                 Within::Chain(chain) => row::correct(self, chain, free, turn),
-                _ => {}
+                Within::All(_) => {}
             }
             for port in 0..self.pending.len() {
-                if self.is_open(port, free, &matters) {
+                let is_due = match have_settled {
+                    // The others get the latest loads of those that touch.
+                    true => self.pending[port] > self.matters_at(port, &matters),
+                    false => self.is_open(port, free, &matters),
+                };
+                if is_due {
                     self.solve_port(port, free, &mut solve)?;
                 }
+            }
+            if have_settled {
+                return Ok(true);
             }
         }
         let matters = self.matters(LAST_TOLERANCE, driving);
@@ -88,6 +89,7 @@ impl Coupling<'_> {
 
     /// A turn of all ports, after which their loads are what their laws answer to the others'. Gives
     /// whether these no longer matter to one another.
+    #[cold]
     pub(super) fn turn_all<E>(
         &mut self,
         free: Free,
@@ -165,7 +167,7 @@ impl Coupling<'_> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn solve_port<E>(
         &mut self,
         port: usize,

@@ -252,13 +252,26 @@ impl<'a> Coupling<'a> {
     /// The load of a port that has been solved, and what it changes for the others.
     #[inline]
     pub(super) fn replace(&mut self, port: usize, load: Load) {
-        let before = self.loads.replace(port, load);
+        let before = self.loads.all[port];
+        if load == before {
+            // But for the sign of a zero.
+            self.loads.all[port] = load;
+        } else {
+            self.loads.replace(port, load);
+            self.pass_on(port, before, load);
+        }
+        self.pending[port] = 0.0;
+    }
+
+    /// Adds what the change of a load is worth to what is pending at all ports.
+    #[inline]
+    fn pass_on(&mut self, port: usize, before: Load, load: Load) {
         let [x, y] = [0, 1].map(|axis| (load.force[axis] - before.force[axis]).abs());
         let torque = (load.torque - before.torque).abs();
         match self.within {
             Within::All(_) if x + y + torque != 0.0 => {
-                let shares = self.shares.chunks_exact(self.pending.len()).nth(port);
-                let shares = shares.into_iter().flatten();
+                let count = self.pending.len();
+                let shares = &self.shares[port * count..][..count];
                 for (pending, share) in self.pending.iter_mut().zip(shares) {
                     *pending += share.of_force * (x + y);
                     *pending += share.of_torque * torque;
@@ -267,7 +280,6 @@ impl<'a> Coupling<'a> {
             Within::Chain(_) if x + y != 0.0 => self.tell_walls(port, x + y),
             _ => {}
         }
-        self.pending[port] = 0.0;
     }
 
     /// What a change of the force at a port is worth at the walls of the others.
