@@ -63,9 +63,33 @@ pub fn are_positive(hermitian: &Mat<Complex64>) -> bool {
     hermitian.llt(Side::Lower).is_ok()
 }
 
-/// The same of a symmetric matrix.
-pub fn are_positive_of_symmetric(symmetric: &Mat<f64>) -> bool {
-    symmetric.llt(Side::Lower).is_ok()
+/// Whether all are positive, of a symmetric matrix whose lower triangle is given row by row: its Cholesky
+/// factor takes the place of it, as far as there is one. Of small matrices, of which there are tens of
+/// thousands, an allocation for each would take longer than the factor.
+pub fn are_positive_of_symmetric(lower: &mut [f64]) -> bool {
+    let mut done = 0;
+    let mut size = 0;
+    while done + size < lower.len() {
+        let (above, row) = lower.split_at_mut(done);
+        let mut begin = 0;
+        for column in 0..size {
+            let of_column = &above[begin..=begin + column];
+            let dot: f64 = (of_column[..column].iter().zip(&*row))
+                .map(|(a, b)| a * b)
+                .sum();
+            row[column] = (row[column] - dot) / of_column[column];
+            begin += column + 1;
+        }
+        let squares: f64 = row[..size].iter().map(|entry| entry * entry).sum();
+        let pivot = row[size] - squares;
+        if pivot <= 0.0 || pivot.is_nan() {
+            return false;
+        }
+        row[size] = pivot.sqrt();
+        size += 1;
+        done += size;
+    }
+    true
 }
 
 /// The λ of Ax = λBx, rising; A and B are symmetric, B is positive definite.

@@ -1,6 +1,8 @@
-//! Of matrices of two rows.
+//! Of matrices of two rows, and a few of more.
 
-use numerics::eigenvalues::{are_positive, general, of_hermitian, of_pencil, with_vectors};
+use numerics::eigenvalues::{
+    are_positive, are_positive_of_symmetric, general, of_hermitian, of_pencil, with_vectors,
+};
 use numerics::{Complex64, Mat, NumericsError};
 
 fn complex(entries: [[Complex64; 2]; 2]) -> Mat<Complex64> {
@@ -36,6 +38,37 @@ fn all_are_positive_where_the_least_is() {
     };
     assert!(are_positive(&matrix(0.99)));
     assert!(!are_positive(&matrix(1.01)));
+}
+
+/// Gram matrices of sines of rising arguments, less what is close to the least eigenvalue.
+#[test]
+fn all_of_a_symmetric_matrix_are_positive_where_the_least_is() {
+    for size in 1..=9 {
+        let vector = |row: usize, place: usize| (((row + 1) * (place + 2) * 37) as f64).sin();
+        let gram = |row: usize, column: usize| -> f64 {
+            let places = 0..size + 3;
+            places
+                .map(|place| vector(row, place) * vector(column, place))
+                .sum()
+        };
+        let matrix = Mat::from_fn(size, size, |row, column| Complex64::from(gram(row, column)));
+        let least = of_hermitian(&matrix).unwrap()[0];
+        for (part, expected) in [(0.999, true), (1.001, false), (f64::NAN, false)] {
+            let below = |row| (0..=row).map(move |column| (row, column));
+            let places = (0..size).flat_map(below);
+            let mut lower: Vec<f64> = places
+                .map(|(row, column)| match row == column {
+                    true => gram(row, row) - part * least,
+                    false => gram(row, column),
+                })
+                .collect();
+            assert_eq!(
+                are_positive_of_symmetric(&mut lower),
+                expected,
+                "{size} {part}"
+            );
+        }
+    }
 }
 
 /// Two masses on springs between walls: ω² in phase and in opposition.
