@@ -272,8 +272,8 @@ impl HermitianPart {
         })
     }
 
-    /// Whether all eigenvalues at a frequency are greater than a bound: a Cholesky factorisation, for
-    /// which there is a place, tells for a fraction of the work of finding them.
+    /// Whether all eigenvalues at a frequency are greater than a bound: a Cholesky factorisation, in a
+    /// buffer that is kept, tells for a fraction of the work of finding them.
     fn are_above(&self, bound: f64, frequency: usize, lower: &mut Vec<f64>) -> bool {
         if self.imaginary.is_some() {
             let mut matrix = self.at(frequency);

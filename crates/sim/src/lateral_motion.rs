@@ -209,7 +209,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         }
     }
 
-    /// What a wall does at a port that nothing else turns, and what the others have to know of it.
+    /// Contact at a port that a wall alone turns, and the solution that the other ports get.
     ///
     /// # Errors
     /// Where the wall has no answer.

@@ -1,4 +1,4 @@
-//! Of matrices of two rows, and a few of more.
+//! Eigenvalues of matrices of two rows, and whether all are positive of up to nine.
 
 use numerics::eigenvalues::{
     are_positive, are_positive_of_symmetric, general, of_hermitian, of_pencil, with_vectors,
