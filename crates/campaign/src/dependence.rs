@@ -1,5 +1,8 @@
 //! What labels depend on that is no property of the well: the method, the sampling frequency, and
-//! the start. A few cases of a sweep are simulated again, each with one of these changed.
+//! the start. A few cases of a sweep are simulated again, each with one of these changed; what a run has
+//! simulated by the methods of its list is not.
+
+use std::collections::BTreeMap;
 
 use anyhow::Result;
 use linear::{Method, parallel};
@@ -123,21 +126,53 @@ impl Dependence {
     }
 }
 
+/// What a run has of the cases that are examined, by case and method.
+#[derive(Debug)]
+pub struct Sample {
+    cases: Vec<usize>,
+    records: BTreeMap<(usize, usize), Record>,
+}
+
+impl Sample {
+    /// Of a sweep, without records yet.
+    pub fn of(sweep: &Sweep) -> Self {
+        Self {
+            cases: numbers(sweep),
+            records: BTreeMap::new(),
+        }
+    }
+
+    /// Keeps a record of a run, if it is of a case that is examined.
+    pub fn note(&mut self, record: &Record) {
+        if self.cases.binary_search(&record.case).is_ok() {
+            let key = (record.case, record.method);
+            self.records.insert(key, record.clone());
+        }
+    }
+
+    /// Of some cases, by the method at a place of the sweep's list.
+    fn records(&self, cases: &[Sampled], method: usize) -> Records {
+        let record = |it: &Sampled| self.records.get(&(it.case, method)).cloned();
+        cases.iter().map(record).collect()
+    }
+}
+
 /// How often labels by the first method of a part of a sweep change with the method, the sampling
 /// frequency and the start. A variant that a method does not treat is left out. All parts together
-/// have the cases of the whole. `built` is the system of the first method for all cases, of the
-/// string as the file says it.
+/// have the cases of the whole. `built` are the systems of all methods of the list for all cases, of the
+/// string as the file says it; `sample` has the records of the part.
 pub fn dependences(
     sweep: &Sweep,
     shard: Shard,
     options: RunOptions,
-    built: &MethodSystem,
+    built: &[MethodSystem],
+    sample: &Sample,
 ) -> Vec<Dependence> {
-    let sampled = |case: usize| Sampled {
+    let sampled = |&case: &usize| Sampled {
         case,
         is_own: has_case(shard, &sweep.design, case),
     };
-    let cases: Vec<Sampled> = numbers(sweep).into_iter().map(sampled).collect();
+    let cases: Vec<Sampled> = sample.cases.iter().map(sampled).collect();
     let variants = variants(sweep);
     let strings: Vec<Vec<Sampled>> = match sweep.design.varies_string() {
         true => cases.into_iter().map(|case| vec![case]).collect(),
@@ -145,14 +180,17 @@ pub fn dependences(
     };
     let has_own = |cases: &&Vec<Sampled>| cases.iter().any(|it| it.is_own);
     // One string after the other, for their memory.
-    let built = Some(built).filter(|_| !sweep.design.varies_string());
+    let built = match sweep.design.varies_string() {
+        true => &[],
+        false => built,
+    };
     // Labels of cases that are followed to their end are those of cases that are not.
     let options = RunOptions {
         full: false,
         ..options
     };
     let of_string = |cases: &Vec<Sampled>| match OfString::new(sweep, cases, options) {
-        Ok(of_string) => of_string.counts(&variants, built),
+        Ok(of_string) => of_string.counts(&variants, built, sample),
         Err(_) => vec![None; variants.len()],
     };
     let counts: Vec<Vec<Option<Counts>>> = strings.iter().filter(has_own).map(of_string).collect();
@@ -237,6 +275,16 @@ struct Variant {
 }
 
 impl Variant {
+    /// What a run does: its own first method, as it stands in the place of another.
+    fn of_run(sweep: &Sweep) -> Self {
+        let method = sweep.methods[0];
+        Self {
+            change: Change::Method(method.name().to_owned()),
+            method,
+            starts: sweep.starts,
+        }
+    }
+
     /// A setting sampled as the variant is.
     fn setting(&self, setting: &Setting) -> Setting {
         match self.change {
@@ -313,59 +361,66 @@ impl<'a> OfString<'a> {
     }
 
     /// Cases with an answer both ways, and those with another label, by variant; none where no
-    /// method treats it. `built` is its system as the sweep has it, where that is there.
-    fn counts(&self, variants: &[Variant], built: Option<&MethodSystem>) -> Vec<Option<Counts>> {
-        let begun_otherwise = |variant: &&Variant| matches!(variant.change, Change::Start(_));
-        let others = variants.iter().filter(begun_otherwise);
-        let starts: Vec<Starts> = [self.sweep.starts]
-            .into_iter()
-            .chain(others.map(|variant| variant.starts))
-            .collect();
-        let own = self.records(&starts, &self.setting, self.sweep.methods[0], built);
-        let Some((as_run, otherwise)) = own.as_deref().and_then(<[Records]>::split_first) else {
-            return vec![own.map(|_| [0; 3]); variants.len()];
+    /// method treats it. `built` are its systems as the sweep has them, where these are there.
+    fn counts(
+        &self,
+        variants: &[Variant],
+        built: &[MethodSystem],
+        sample: &Sample,
+    ) -> Vec<Option<Counts>> {
+        let methods = &self.sweep.methods;
+        let in_list = |method: &Method| methods.iter().position(|it| it.name() == method.name());
+        let records = |variant: &Variant| {
+            let place = match variant.change {
+                Change::SamplingFrequencyHz(_) => None,
+                Change::Method(_) | Change::Start(_) => in_list(&variant.method),
+            };
+            let known = match variant.change {
+                Change::Method(_) => place.map(|place| sample.records(self.cases, place)),
+                Change::Start(_) | Change::SamplingFrequencyHz(_) => None,
+            };
+            let system = place.and_then(|place| built.get(place));
+            self.records(variant, system, known.unwrap_or_default())
         };
-        let mut otherwise = otherwise.iter();
-        let count = |variant: &Variant| match variant.change {
-            Change::Start(_) => otherwise.next().map(|it| differing(as_run, it)),
-            _ => {
-                let setting = variant.setting(&self.setting);
-                let records = self.records(&[variant.starts], &setting, variant.method, None)?;
-                Some(records.first().map_or([0; 3], |it| differing(as_run, it)))
-            }
-        };
+        let first = Variant::of_run(self.sweep);
+        let as_run = records(&first).unwrap_or_default();
+        let count = |variant: &Variant| Some(differing(&as_run, &records(variant)?));
         variants.iter().map(count).collect()
     }
 
-    /// Records with each of some starts, by a system that is there or is built; none of them where
-    /// that would take longer than the sweep.
+    /// Records of a variant: those that are not known by a system that is there or is built; none of
+    /// them where that would take longer than the sweep. `None` where no method treats it.
     fn records(
         &self,
-        starts: &[Starts],
-        setting: &Setting,
-        method: Method,
+        variant: &Variant,
         built: Option<&MethodSystem>,
-    ) -> Option<Vec<Records>> {
-        let with_start = |starts: &Starts| Sweep {
-            starts: *starts,
+        mut known: Records,
+    ) -> Option<Records> {
+        known.resize(self.cases.len(), None);
+        let is_missing = |(it, known): (&Sampled, &Option<Record>)| it.is_own && known.is_none();
+        if !std::iter::zip(self.cases, &known).any(is_missing) {
+            return Some(known);
+        }
+        let setting = variant.setting(&self.setting);
+        let sweep = Sweep {
+            starts: variant.starts,
             ..self.sweep.clone()
         };
-        let sweeps: Vec<Sweep> = starts.iter().map(with_start).collect();
-        let cases_of = |sweep: &Sweep| -> Vec<Option<Case>> {
-            let case = |it: &Sampled| Case::of(sweep, setting, it.case).ok();
-            self.cases.iter().map(case).collect()
-        };
-        let cases: Vec<Vec<Option<Case>>> = sweeps.iter().map(cases_of).collect();
-        let durations = (cases.iter().flatten().flatten()).map(|case| case.scene.timing.duration);
+        let case = |it: &Sampled| Case::of(&sweep, &setting, it.case).ok();
+        let cases: Vec<Option<Case>> = self.cases.iter().map(case).collect();
+        let durations = cases
+            .iter()
+            .flatten()
+            .map(|case| case.scene.timing.duration);
         let longest = durations.fold(0.0, f64::max);
-        if !is_worth_building(self.sweep, setting, longest) {
-            return Some(Vec::new());
+        if !is_worth_building(self.sweep, &setting, longest) {
+            return Some(Records::new());
         }
         let alone;
         let system = match built {
             Some(built) => built,
             None => {
-                let recipe = Recipe::of(self.sweep, setting, method, longest).for_labels();
+                let recipe = Recipe::of(self.sweep, &setting, variant.method, longest).for_labels();
                 alone = recipe.build().ok()?;
                 &alone
             }
@@ -373,13 +428,11 @@ impl<'a> OfString<'a> {
         if system.instability().is_some() {
             return None;
         }
-        let records = |(sweep, cases): (&Sweep, &Vec<Option<Case>>)| {
-            parallel::map(cases.len(), 1, |place| {
-                let case = cases[place].as_ref().filter(|_| self.cases[place].is_own)?;
-                Some(answer(system, case, 0, self.options, sweep))
-            })
-        };
-        Some(sweeps.iter().zip(&cases).map(records).collect())
+        Some(parallel::map(cases.len(), 1, |place| {
+            let case = cases[place].as_ref().filter(|_| self.cases[place].is_own)?;
+            let known = known[place].clone();
+            Some(known.unwrap_or_else(|| answer(system, case, 0, self.options, &sweep)))
+        }))
     }
 }
 
@@ -457,12 +510,29 @@ mod tests {
             .unwrap()
     }
 
+    /// As a run of a part of a sweep finds it.
+    fn depends(sweep: &Sweep, shard: Shard, system: &MethodSystem) -> Vec<Dependence> {
+        let mut sample = Sample::of(sweep);
+        let of_part = |case: &usize| has_case(shard, &sweep.design, *case);
+        for case in (0..sweep.design.cases()).filter(of_part) {
+            let case = Case::of(sweep, &sweep.setting, case).unwrap();
+            sample.note(&answer(system, &case, 0, RunOptions::default(), sweep));
+        }
+        dependences(
+            sweep,
+            shard,
+            RunOptions::default(),
+            std::slice::from_ref(system),
+            &sample,
+        )
+    }
+
     /// Labels are examined, and where that would take longer than the sweep the output says that
     /// they are not.
     #[test]
     fn what_takes_longer_than_a_sweep_is_left_out() {
         let examined = |sweep: &Sweep| -> Vec<usize> {
-            let found = dependences(sweep, Shard::WHOLE, RunOptions::default(), &system(sweep));
+            let found = depends(sweep, Shard::WHOLE, &system(sweep));
             found.iter().map(|dependence| dependence.cases).collect()
         };
         assert_eq!(examined(&sweep(2, 8)), [8, 8, 8]);
@@ -473,7 +543,7 @@ mod tests {
     fn parts_of_a_sweep_have_together_what_the_whole_has() {
         let sweep = sweep(2, 30);
         let system = system(&sweep);
-        let of = |shard| dependences(&sweep, shard, RunOptions::default(), &system);
+        let of = |shard| depends(&sweep, shard, &system);
         let parts: Vec<Vec<Dependence>> = (0..7).map(|index| of(Shard { index, of: 7 })).collect();
         assert_eq!(together(parts.iter().map(Vec::as_slice)), of(Shard::WHOLE));
         assert!(parts.iter().all(|part| part.iter().all(|it| it.cases < 12)));

@@ -14,6 +14,7 @@ fn approach(free_speed: f64) -> Approach<'static> {
         free_position: [0.0163, -0.0004],
         previous_position: [0.0160, 0.0002],
         previous_sliding_speed: None,
+        last_force: [0.0; 2],
         present_position: None,
         compliance: 1e-8,
         spin: Spin {

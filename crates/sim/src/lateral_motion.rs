@@ -188,10 +188,10 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         self.springs.get(site).copied()
     }
 
-    /// The load line at a wall under the loads of the others. Where a spring is
+    /// The load line at a wall under the loads of the others, what it did last given. Where a spring is
     /// taken back, u = p + A (F + k u) leaves u = (p + A F)/(1 − A k).
     #[inline]
-    pub(crate) fn line(&self, site: usize, unloaded: &Unloaded) -> LateralLine {
+    pub(crate) fn line(&self, site: usize, unloaded: &Unloaded, last: &Contact) -> LateralLine {
         let mut compliance = self.channel.instant(site, site);
         let mut free_position = unloaded.position;
         if !self.springs.is_empty() {
@@ -203,13 +203,15 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             free_position,
             previous_position: self.positions[site],
             previous_sliding_speed: self.sliding_speeds[site],
+            last_force: last.force,
             present_position: unloaded.present,
             compliance,
             sampling: self.system.sampling,
         }
     }
 
-    /// Contact at a port that a wall alone turns, and the solution that the other ports get.
+    /// Contact at a port that a wall alone turns, and the solution that the other ports get; what the
+    /// wall did last is given.
     ///
     /// # Errors
     /// Where the wall has no answer.
@@ -218,10 +220,10 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         &self,
         site: usize,
         wall: &W,
-        unloaded: &Unloaded,
+        (unloaded, last): (&Unloaded, &Contact),
         line: LoadLine,
     ) -> Result<(Contact, Solved), ContactError> {
-        let lateral_line = self.line(site, unloaded);
+        let lateral_line = self.line(site, unloaded, last);
         let contact = meet_wall(wall, &lateral_line, line, None)?;
         let mut solved = turned_by_wall(&contact, line);
         match self.spring(site) {

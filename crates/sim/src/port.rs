@@ -17,6 +17,7 @@ pub(crate) struct LateralLine {
     pub(crate) free_position: [f64; 2],
     pub(crate) previous_position: [f64; 2],
     pub(crate) previous_sliding_speed: Option<f64>,
+    pub(crate) last_force: [f64; 2],
     pub(crate) present_position: Option<[f64; 2]>,
     pub(crate) compliance: f64,
     pub(crate) sampling: Sampling,
@@ -118,6 +119,7 @@ pub(crate) fn meet_wall<W: WallLaw>(
         free_position: lateral.free_position,
         previous_position: lateral.previous_position,
         previous_sliding_speed: lateral.previous_sliding_speed,
+        last_force: lateral.last_force,
         present_position: lateral.present_position,
         compliance: lateral.compliance,
         spin: Spin {

@@ -61,7 +61,7 @@ use crate::laws::wall::Wall;
 use crate::limited_drive::DriveMotion;
 use crate::line::pieces::SurfaceStep;
 use crate::line::{Torsion, TorsionPast, Within};
-use crate::port::{PortTorque, Turned, meet_bit, meet_cut, turned_by_wall};
+use crate::port::{PortTorque, Turned, meet_bit, meet_cut};
 use crate::scene::Scene;
 use crate::start::Start;
 use crate::system::System;
@@ -266,8 +266,8 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             // No other port has to agree with the bit.
             (Within::All(torsion), None) if self.friction.is_empty() => self.meet_bit(torsion)?,
             _ if self.drive.is_some() => self.meet_all_and_drive()?,
-            _ if self.has_walls_alone() => self.meet_walls()?,
-            _ => self.meet_all()?,
+            _ if self.has_walls_alone() => self.meet_all::<true>()?,
+            _ => self.meet_all::<false>()?,
         }
         if let (Some((axial, _)), Some(cut)) = (&self.axial, &self.now.cut) {
             if axial.passes_a_blade(cut.speed) {
@@ -439,7 +439,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 *free += drive.turns_by(port, extra - given);
             }
             (asked_for, given) = (Some(turned), extra);
-            self.meet_all()?;
+            self.meet_all::<false>()?;
         }
         let time = self.now.time;
         Err(SimulationError::NotSettled { time })
@@ -452,56 +452,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         none_else && self.lateral.is_some()
     }
 
-    /// All walls at once, where nothing else acts: as [`Self::meet_all`], without what there is not.
-    fn meet_walls(&mut self) -> Result<(), SimulationError> {
-        let Self {
-            system,
-            within,
-            lateral,
-            coupling,
-            free,
-            now,
-            ..
-        } = self;
-        let (system, time) = (*system, now.time);
-        let Some(lateral) = lateral else {
-            return Ok(());
-        };
-        let free = Free {
-            positions: lateral.free_positions(),
-            turning: free,
-        };
-        let settled = coupling.settle(free, |port, unloaded: Unloaded| {
-            let line = LoadLine {
-                time,
-                free_speed: unloaded.speed,
-                compliance: within.compliance(port),
-            };
-            let solved = match lateral.wall_at(port) {
-                None => turned_by_wall(&Contact::NONE, line),
-                Some((at, wall)) => {
-                    let met = lateral.meet(at, wall, &unloaded, line);
-                    let (contact, solved) = met.map_err(|error| {
-                        SimulationError::of_contact(error, system.torsion.loaded()[port], time)
-                    })?;
-                    now.contacts[at] = contact;
-                    solved
-                }
-            };
-            if !(solved.speed.is_finite() && solved.load.torque.is_finite()) {
-                return Err(system.not_finite(port, time));
-            }
-            now.speeds[port] = solved.speed;
-            Ok(solved)
-        })?;
-        match settled {
-            true => Ok(()),
-            false => Err(SimulationError::NotSettled { time }),
-        }
-    }
-
-    /// All laws of all ports at once.
-    fn meet_all(&mut self) -> Result<(), SimulationError> {
+    /// All laws of all ports at once; `WALLS_ALONE` where none acts but those of walls, whose steps do not
+    /// pay for the others.
+    fn meet_all<const WALLS_ALONE: bool>(&mut self) -> Result<(), SimulationError> {
         let Self {
             system,
             bit,
@@ -533,6 +486,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             let wall = lateral.and_then(|lateral| Some((lateral, lateral.wall_at(port)?)));
             let before;
             let torque = match (&*bit, &*axial, friction.get(port)) {
+                _ if WALLS_ALONE => PortTorque::Free,
                 (Some((law, at)), _, _) if *at == port => {
                     before = wavering.released().unwrap_or(bit_state).clone();
                     PortTorque::Bit(*law, &before, motor)
@@ -551,13 +505,13 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                     (turn.law, solved)
                 }
                 Some((lateral, (at, wall))) if torque.is_free() => {
-                    let met = lateral.meet(at, wall, &unloaded, line);
+                    let met = lateral.meet(at, wall, (&unloaded, &now.contacts[at]), line);
                     let (contact, solved) = met.map_err(of_contact)?;
                     now.contacts[at] = contact;
                     (Turned::Free, solved)
                 }
                 Some((lateral, (at, wall))) => {
-                    let lateral_line = lateral.line(at, &unloaded);
+                    let lateral_line = lateral.line(at, &unloaded, &now.contacts[at]);
                     let met = torque.turn_at_wall(wall, &lateral_line, line, guess);
                     let (contact, turn) = met.map_err(of_contact)?;
                     let mut solved = torque.solved(&turn, &contact);

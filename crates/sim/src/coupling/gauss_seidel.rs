@@ -1,5 +1,6 @@
 //! Gauss–Seidel iteration: one port after the other, in turns.
 
+use super::loads::largest_torque;
 use super::ports::{Coupling, Free, Solved, Unloaded};
 use super::{halved, newton, row};
 use crate::line::Within;
@@ -44,10 +45,11 @@ impl Coupling<'_> {
         if let (Within::All(_), 1) = (self.within, self.pending.len()) {
             // There are no others to agree with.
             let solved = solve(0, self.unloaded(0, free))?;
-            self.loads.set_only(0, solved.load);
+            self.set_load(0, solved.load);
             return Ok(true);
         }
         self.pending.fill(f64::INFINITY);
+        self.neighbours.begin_step(&self.loads);
         let driving = self.largest_driving(free);
         let most_turns = match self.within {
             Within::All(_) => MOST_TURNS,
@@ -112,7 +114,7 @@ impl Coupling<'_> {
         let torques = match self.has_walls_only() {
             // No port is asked for it.
             true => 0.0,
-            false => self.loads.largest_torque(),
+            false => largest_torque(&self.loads),
         };
         Matters {
             force: tolerance * largest,

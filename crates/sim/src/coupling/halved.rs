@@ -45,21 +45,21 @@ fn settle_keeping<E>(
 ) -> Result<bool, E> {
     for turn in 1..=MOST_TURNS {
         for port in 0..coupling.pending.len() {
-            let before = coupling.loads.all[port];
+            let before = coupling.loads[port];
             let answer = solve(port, coupling.unloaded(port, free))?.load;
             coupling.replace(port, half_way(before, answer));
         }
         if turn % TURNS_BETWEEN != 0 {
             continue;
         }
-        let begun = coupling.loads.all.clone();
+        let begun = coupling.loads.clone();
         let mut steps = 0..MOST_STEPS;
         while steps.next().is_some() && newton::step(coupling, torsion, free, solve) {}
         if coupling.turn_all(free, solve)? {
             return Ok(true);
         }
         for (port, load) in begun.into_iter().enumerate() {
-            coupling.loads.replace(port, load);
+            coupling.set_load(port, load);
         }
     }
     Ok(false)

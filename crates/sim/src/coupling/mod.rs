@@ -15,6 +15,7 @@
 mod gauss_seidel;
 mod halved;
 mod loads;
+mod neighbours;
 mod newton;
 mod ports;
 mod row;

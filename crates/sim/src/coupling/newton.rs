@@ -46,13 +46,13 @@ pub(super) fn step<E>(
     solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
 ) -> bool {
     let open = |port: &usize| coupling.pending[*port] > coupling.slack[*port];
-    let bears = |port: &usize| coupling.loads.all[*port] != Load::default();
+    let bears = |port: &usize| coupling.loads[*port] != Load::default();
     let ports: Vec<usize> = (0..coupling.pending.len())
         .filter(|port| open(port) || bears(port))
         .collect();
     coupling.pending.fill(f64::INFINITY);
     let before: Vec<Components> = (ports.iter())
-        .map(|&port| components(coupling.loads.all[port]))
+        .map(|&port| components(coupling.loads[port]))
         .collect();
     let Some(scales) = scales(&before) else {
         return false;
@@ -70,13 +70,13 @@ pub(super) fn step<E>(
         let part = 0.5f64.powi(halvings as i32);
         for ((&port, before), change) in ports.iter().zip(&before).zip(&change) {
             let load = std::array::from_fn(|it| before[it] + part * change[it]);
-            coupling.loads.replace(port, load_of(load));
+            coupling.set_load(port, load_of(load));
         }
         let misses = ports.iter().map(|&port| {
             let answer = solve(port, coupling.unloaded(port, free)).ok()?;
             Some(difference(
                 components(answer.load),
-                components(coupling.loads.all[port]),
+                components(coupling.loads[port]),
             ))
         });
         let misses: Option<Vec<Components>> = misses.collect();
@@ -85,7 +85,7 @@ pub(super) fn step<E>(
         }
     }
     for (&port, before) in ports.iter().zip(before) {
-        coupling.loads.replace(port, load_of(before));
+        coupling.set_load(port, load_of(before));
     }
     false
 }

@@ -1,23 +1,24 @@
 //! The ports of a step: where they would be, their loads, and what these are worth to one another.
 
-use super::loads::{Load, Loads};
-use crate::line::{Bending, Chain, Torsion, WallPorts, Within};
+use super::loads::Load;
+use super::neighbours::Neighbours;
+use crate::line::{Bending, Chain, WallPorts, Within};
 
 /// The loads of all ports that may bear one.
 #[derive(Debug)]
 pub(crate) struct Coupling<'a> {
     pub(super) within: Within<'a>,
     pub(super) walled: Option<Walled<'a>>,
-    pub(super) loads: Loads,
+    pub(super) loads: Vec<Load>,
+    /// How many ports bear one.
+    acting: usize,
     pub(super) normal_forces: Vec<f64>,
     /// What the others' loads have changed by since a port was solved, as load at it: force, N, at
     /// a wall and torque, N m, elsewhere.
     pub(super) pending: Vec<f64>,
     /// What of that leaves a port without a load as it was solved last, N.
     pub(super) slack: Vec<f64>,
-    /// What the load of a port is worth at every other, port by port; nothing where ports feel no
-    /// more than their neighbours.
-    shares: Vec<Share>,
+    pub(super) neighbours: Neighbours,
     /// Of the string at its walls, m; zero where it has none.
     pub(super) largest_radius: f64,
     /// Whether of several answers of a wall the nearest to its present one is wanted.
@@ -28,8 +29,8 @@ pub(crate) struct Coupling<'a> {
 /// How the ports that have walls bend.
 #[derive(Debug)]
 pub(super) struct Walled<'a> {
-    bending: &'a Bending,
-    walls: &'a WallPorts,
+    pub(super) bending: &'a Bending,
+    pub(super) walls: &'a WallPorts,
 }
 
 /// What ports in a row have of a step.
@@ -94,16 +95,6 @@ impl Solved {
     }
 }
 
-/// The load at a port that a load at another is worth. A port gives way by its own response,
-/// or turns by it.
-#[derive(Debug, Clone, Copy)]
-struct Share {
-    /// Of a force.
-    of_force: f64,
-    /// Of a torque.
-    of_torque: f64,
-}
-
 impl<'a> Coupling<'a> {
     /// Of the loads of a string whose ports feel one another like this; those at `walls` bend,
     /// too, and have these radii, m, or none where the scene has no walls.
@@ -120,15 +111,13 @@ impl<'a> Coupling<'a> {
             Within::Chain(chain) => chain.own.len(),
         };
         Self {
-            shares: match within {
-                Within::All(torsion) => shares(torsion, walled.as_ref(), radii),
-                Within::Chain(_) => Vec::new(),
-            },
+            neighbours: Neighbours::new(within, walled.as_ref(), radii),
             within,
             walled,
             largest_radius: radii.iter().copied().fold(0.0, f64::max),
             keeps_answers: false,
-            loads: Loads::none(count),
+            loads: vec![Load::default(); count],
+            acting: 0,
             normal_forces: vec![0.0; count],
             pending: vec![0.0; count],
             slack: vec![0.0; count],
@@ -143,12 +132,13 @@ impl<'a> Coupling<'a> {
 
     /// The loads of the step solved last.
     pub(crate) fn loads(&self) -> &[Load] {
-        &self.loads.all
+        &self.loads
     }
 
     /// Forgets what acted in the last step.
     pub(crate) fn clear(&mut self) {
-        self.loads.clear();
+        self.loads.fill(Load::default());
+        self.acting = 0;
     }
 
     /// Gives ports in a row the speeds that a case begins with, rad/s.
@@ -162,7 +152,7 @@ impl<'a> Coupling<'a> {
     #[inline]
     pub(crate) fn set_torque(&mut self, port: usize, torque: f64) {
         let force = [0.0; 2];
-        self.loads.set_only(port, Load { force, torque });
+        self.set_load(port, Load { force, torque });
     }
 
     /// Displacement per force between two ports within a step, m/N; none where either does not
@@ -190,52 +180,38 @@ impl<'a> Coupling<'a> {
     /// Where the loads of all others bring a port.
     #[inline]
     pub(super) fn unloaded(&self, port: usize, free: Free) -> Unloaded {
-        let mut position = [0.0; 2];
-        let wall = (self.walled.as_ref()).and_then(|it| Some((it, it.walls.at(port)?)));
-        if let Some((walled, wall)) = wall {
-            position = [0, 1].map(|axis| free.positions[axis * walled.walls.len() + wall]);
+        let mut moved = self.neighbours.by_far(port);
+        let wall = (self.walled.as_ref()).and_then(|it| Some((it.walls, it.walls.at(port)?)));
+        if let Some((walls, wall)) = wall {
+            for (axis, position) in moved.position.iter_mut().enumerate() {
+                *position += free.positions[axis * walls.len() + wall];
+            }
         }
-        let (mut speed, guess) = match self.within {
-            Within::All(_) => (free.turning[port], None),
+        let guess = match self.within {
+            Within::All(_) => {
+                moved.speed += free.turning[port];
+                None
+            }
             Within::Chain(chain) => {
-                let speed = self.driven(chain, port, free) / chain.own[port];
-                let guess = Some(self.row.speeds[port]);
-                if wall.is_none() {
-                    return Unloaded {
-                        position,
-                        speed,
-                        guess,
-                        present: None,
-                    };
-                }
-                (speed, guess)
+                moved.speed = self.driven(chain, port, free) / chain.own[port];
+                Some(self.row.speeds[port])
             }
         };
-        for (other, load) in self.loads.others_than(port) {
-            if let Some((walled, wall)) = wall {
-                if let Some(other) = walled.walls.at(other) {
-                    let compliance = walled.bending.instant(wall, other);
-                    for (position, force) in position.iter_mut().zip(load.force) {
-                        *position += compliance * force;
-                    }
-                }
-            }
-            if let Within::All(torsion) = self.within {
-                speed += torsion.instant(port, other) * load.torque;
-            }
+        if self.acting > 0 {
+            moved.by(self.neighbours.near(port), &self.loads);
         }
         Unloaded {
-            position,
-            speed,
+            position: moved.position,
+            speed: moved.speed,
             guess,
-            present: self.present(port, position),
+            present: self.present(port, moved.position),
         }
     }
 
     /// Where its load of now brings a port that would be at a position without, m, where that matters.
     #[inline]
     fn present(&self, port: usize, position: [f64; 2]) -> Option<[f64; 2]> {
-        let force = self.loads.all[port].force;
+        let force = self.loads[port].force;
         let matters = self.keeps_answers && force != [0.0; 2];
         matters.then(|| {
             let gives = self.bends(port, port);
@@ -249,75 +225,34 @@ impl<'a> Coupling<'a> {
         free.turning[port] - chain.taken_by_neighbours(port, &self.row.speeds)
     }
 
+    /// Gives a port a load, and what it was before.
+    #[inline]
+    pub(super) fn set_load(&mut self, port: usize, load: Load) -> Load {
+        let before = std::mem::replace(&mut self.loads[port], load);
+        let [did, does] = [before, load].map(|load| usize::from(load != Load::default()));
+        self.acting = self.acting + does - did;
+        before
+    }
+
     /// The load of a port that has been solved, and what it changes for the others.
     #[inline]
     pub(super) fn replace(&mut self, port: usize, load: Load) {
-        let before = self.loads.all[port];
-        if load == before {
-            // But for the sign of a zero.
-            self.loads.all[port] = load;
-        } else {
-            self.loads.replace(port, load);
+        let before = self.set_load(port, load);
+        if load != before {
             self.pass_on(port, before, load);
         }
         self.pending[port] = 0.0;
     }
 
-    /// Adds what the change of a load is worth to what is pending at all ports.
+    /// Adds what the change of a load is worth to what is pending at the ports near by.
     #[inline]
     fn pass_on(&mut self, port: usize, before: Load, load: Load) {
         let [x, y] = [0, 1].map(|axis| (load.force[axis] - before.force[axis]).abs());
         let torque = (load.torque - before.torque).abs();
-        match self.within {
-            Within::All(_) if x + y + torque != 0.0 => {
-                let count = self.pending.len();
-                let shares = &self.shares[port * count..][..count];
-                for (pending, share) in self.pending.iter_mut().zip(shares) {
-                    *pending += share.of_force * (x + y);
-                    *pending += share.of_torque * torque;
-                }
-            }
-            Within::Chain(_) if x + y != 0.0 => self.tell_walls(port, x + y),
-            _ => {}
+        for near in self.neighbours.near(port) {
+            let pending = &mut self.pending[near.port];
+            *pending += near.worth_of_force * (x + y);
+            *pending += near.worth_of_torque * torque;
         }
     }
-
-    /// What a change of the force at a port is worth at the walls of the others.
-    fn tell_walls(&mut self, port: usize, force: f64) {
-        let Some(Walled { bending, walls }) = &self.walled else {
-            return;
-        };
-        let Some(wall) = walls.at(port) else {
-            return;
-        };
-        for (other, &at) in walls.ports().iter().enumerate() {
-            self.pending[at] += bending.share(other, wall) * force;
-        }
-    }
-}
-
-/// Of the loads of all ports at all others.
-fn shares(torsion: &Torsion, walled: Option<&Walled>, radii: &[f64]) -> Vec<Share> {
-    let count = torsion.sites();
-    let wall_of = |port: usize| walled.and_then(|it| Some((it.bending, it.walls.at(port)?)));
-    let share = |port: usize, loaded: usize| {
-        let turned = torsion.share(port, loaded);
-        let Some((bending, wall)) = wall_of(port) else {
-            return Share {
-                of_force: 0.0,
-                of_torque: turned,
-            };
-        };
-        let bent = wall_of(loaded).map_or(0.0, |(_, other)| bending.share(wall, other));
-        Share {
-            of_force: bent,
-            of_torque: if turned == 0.0 {
-                0.0
-            } else {
-                turned / radii[wall]
-            },
-        }
-    };
-    let of_load = |loaded| (0..count).map(move |port| share(port, loaded));
-    (0..count).flat_map(of_load).collect()
 }

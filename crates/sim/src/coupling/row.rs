@@ -13,7 +13,7 @@ pub(super) fn correct(coupling: &mut Coupling, chain: &Chain, free: Free, turn: 
     if turn > MOST_CORRECTIONS {
         return;
     }
-    let (loads, row) = (&coupling.loads.all, &mut coupling.row);
+    let (loads, row) = (&coupling.loads, &mut coupling.row);
     let mut above = (0.0, 0.0);
     for (port, load) in loads.iter().enumerate() {
         row.changes[port] = match row.falls[port] {

@@ -235,6 +235,7 @@ impl Walls {
             free_position: unloaded.position,
             previous_position: self.previous[site],
             previous_sliding_speed: None,
+            last_force: [0.0; 2],
             present_position: unloaded.present,
             compliance: self.bending[site][site],
             spin: Spin {

@@ -38,6 +38,7 @@
 //!     free_position,
 //!     previous_position: [0.0; 2],
 //!     previous_sliding_speed: None,
+//!     last_force: [0.0; 2],
 //!     present_position: None,
 //!     compliance: 1e-7,
 //!     spin: Spin { free_speed: 6.0, compliance: 1e-3, resistance: None },
@@ -67,6 +68,8 @@ pub struct Approach<'a> {
     /// Speed at which the surfaces slid in the step before, m/s, positive where the string's
     /// moved along e_θ; zero where it rolled, `None` where it did not touch.
     pub previous_sliding_speed: Option<f64>,
+    /// Force of the wall as it was found last, in this step or the one before, N: a search may begin there.
+    pub last_force: [f64; 2],
     /// Position under the force that it has so far, m, where sites are solved in turns: of several
     /// solutions the nearest to that is taken. `None`: the nearest to the previous position.
     pub present_position: Option<[f64; 2]>,

@@ -71,7 +71,7 @@ impl Wall {
 }
 
 /// A step in contact.
-struct ContactStep<'a> {
+pub(super) struct ContactStep<'a> {
     wall: &'a Wall,
     approach: &'a Approach<'a>,
     /// |p_h|, m.
@@ -86,7 +86,7 @@ struct ContactStep<'a> {
 // half as much again as what they do.
 impl<'a> ContactStep<'a> {
     #[inline]
-    fn new(wall: &'a Wall, approach: &'a Approach<'a>, distance: f64) -> Self {
+    pub(super) fn new(wall: &'a Wall, approach: &'a Approach<'a>, distance: f64) -> Self {
         let turning = match approach.spin.resistance {
             None => wall.radius.powi(2) * approach.spin.compliance / approach.compliance,
             Some(_) => 0.0,
@@ -110,7 +110,7 @@ impl<'a> ContactStep<'a> {
     /// can be. w·e_r is a sinusoid of that angle: where it is positive at both ends it is
     /// between. What slides faster the more friction drives it can be held by one ratio only.
     #[inline]
-    fn has_one_answer(&self) -> bool {
+    pub(super) fn has_one_answer(&self) -> bool {
         let Wall {
             clearance,
             friction,
@@ -211,7 +211,7 @@ impl<'a> ContactStep<'a> {
     /// speed R₀(θ̇_h + g₀R₀αF_N) − f_s p_prev·e_θ is linear in e_θ: it vanishes
     /// where w·e_θ = R₀θ̇_h ([`ContactStep::weight`]).
     #[inline(always)]
-    fn rolling_directions(&self) -> Option<[[f64; 2]; 2]> {
+    pub(super) fn rolling_directions(&self) -> Option<[[f64; 2]; 2]> {
         let [wx, wy] = self.weight;
         let (square, speed) = (
             wx * wx + wy * wy,
@@ -427,4 +427,4 @@ fn from_above(guess: f64, gap: f64, steepness: f64) -> f64 {
 
 mod slide;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

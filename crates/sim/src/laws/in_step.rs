@@ -14,7 +14,10 @@
 //!
 //! The law is that of a wall met at the middle position itself, but closer to the centre:
 //! how much so follows from the answer, and is found by the secant rule. Where that fails
-//! the depth of the middle counts, and the step as ambiguous: it wants a higher f_s.
+//! the depth of the middle counts, and the step as ambiguous: it wants a higher f_s. Most steps go on
+//! as the one before went; these are solved by Newton's method (`continued`).
+
+mod continued;
 
 use super::contact::{Approach, Contact, ContactError};
 use super::wall::Wall;
@@ -33,6 +36,9 @@ impl Wall {
         let came_free = length(approach.previous_position) <= self.clearance;
         if is_free && came_free {
             return Contact::free(middle);
+        }
+        if let Some(contact) = self.continues(approach) {
+            return Ok(contact);
         }
         Ok(match self.work_of_wall(approach) {
             Some(contact) => contact,
@@ -122,3 +128,6 @@ impl Wall {
 fn length([x, y]: [f64; 2]) -> f64 {
     (x * x + y * y).sqrt()
 }
+
+#[cfg(test)]
+mod tests;

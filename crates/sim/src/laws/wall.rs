@@ -22,6 +22,7 @@
 //!     free_position: [distance, 0.0],
 //!     previous_position: [0.02, 0.0],
 //!     previous_sliding_speed: None,
+//!     last_force: [0.0; 2],
 //!     present_position: None,
 //!     compliance: 1e-7,
 //!     spin: Spin { free_speed: 6.0, compliance: 1e-3, resistance: None },

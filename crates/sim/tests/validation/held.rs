@@ -317,6 +317,7 @@ proptest! {
             free_position: middle.into(),
             previous_position: before.into(),
             previous_sliding_speed: None,
+            last_force: [0.0; 2],
             present_position: None,
             compliance: 10f64.powf(exponents.0),
             spin: Spin {

@@ -37,6 +37,7 @@ impl Arrival {
             free_position: self.free_position,
             previous_position: self.previous_position,
             previous_sliding_speed: self.previous_sliding_speed,
+            last_force: [0.0; 2],
             present_position: None,
             compliance: self.compliance,
             spin: Spin {

@@ -7,7 +7,7 @@ use super::super::contact::Spin;
 use super::*;
 use crate::sampling::Sampling;
 
-pub(super) fn any_step() -> impl Strategy<Value = (Wall, Approach<'static>)> {
+pub(in super::super) fn any_step() -> impl Strategy<Value = (Wall, Approach<'static>)> {
     let wall = (
         0.005..0.1f64,
         0.0..3.0f64,
@@ -47,6 +47,7 @@ pub(super) fn any_step() -> impl Strategy<Value = (Wall, Approach<'static>)> {
             free_position: [out * clearance, 0.0],
             previous_position: [turned.cos(), turned.sin()].map(|part| before * clearance * part),
             previous_sliding_speed: None,
+            last_force: [0.0; 2],
             present_position: None,
             compliance: 10f64.powf(compliance),
             spin,

@@ -17,7 +17,7 @@ use crate::commands::stop;
 use crate::commands::terminal::say;
 use crate::commands::warnings::{warn_of_broken_lines, warn_of_fronts, warn_of_unstable};
 use campaign::Run;
-use campaign::dependence::dependences;
+use campaign::dependence::{Sample, dependences};
 use campaign::design::Design;
 use campaign::records::Record;
 use campaign::words::counted;
@@ -198,7 +198,11 @@ impl<'a> Session<'a> {
             &self.task.folder,
         );
         let mut tables = TableWriter::create(&self.about, folder)?;
-        self.log.in_order(|records| tables.add(records))?;
+        let mut sample = Sample::of(sweep);
+        self.log.in_order(|records| {
+            records.iter().for_each(|record| sample.note(record));
+            tables.add(records)
+        })?;
         let (tally, files) = tables.finish()?;
         if let Some(all) = self.so_far.total.filter(|all| *all != tally.rows) {
             bail!("the tables have {} of {all} rows", tally.rows);
@@ -209,7 +213,8 @@ impl<'a> Session<'a> {
         let mut manifest = Manifest::new(sweep, &self.task.header, arguments.options(), systems)?;
         (manifest.tally, manifest.files) = (tally, files);
         if self.systems.built.memory.sees_dependences {
-            manifest.depends_on = dependences(sweep, shard, arguments.options(), &systems[0]);
+            let options = arguments.options();
+            manifest.depends_on = dependences(sweep, shard, options, systems, &sample);
         }
         manifest.wall_seconds = self.start.elapsed().as_secs_f64();
         manifest.files.insert("boundary.csv".to_owned(), limit);

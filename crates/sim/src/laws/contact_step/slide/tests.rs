@@ -102,6 +102,7 @@ fn a_site_keeps_doing_what_it_did() {
             });
             let approach = Approach {
                 previous_sliding_speed: before.map(|part| part * most),
+                last_force: [0.0; 2],
                 present_position: None,
                 ..approach
             };
