@@ -25,12 +25,20 @@ const ONE_IN: usize = 25;
 /// but no fewer than the first of these, where there are as many, and no more than the second.
 const CASES: [usize; 2] = [12, 64];
 
-/// A case with a wall, or with friction along the string, may take seconds: of a few cases no
-/// more than one in this number is simulated again.
-const ONE_IN_OF_FEW: usize = 4;
+/// What it takes may be this part of what the run takes,
+const PART_OF_RUN: f64 = 0.1;
 
-/// Where axes change the string, systems are built for every case: no more than for these.
-const MOST_STRINGS: usize = 16;
+/// or so little, in steps of a case times its sites: a sixth of a second.
+const LITTLE: f64 = 7.5e5;
+
+/// Cases that take as long as building their system does, at most,
+const CASES_PER_SYSTEM: f64 = 20.0;
+
+/// and so many times as many by `held`, which is built in shorter steps.
+const HELD_PER_SYSTEM: f64 = 2.0;
+
+/// Sites at which a step takes twice as long a site as at one.
+const SITES_FOR_TWICE: f64 = 6.0;
 
 /// A system is built to look at labels where its taps times the parts of the string are no more
 /// than this, which takes some seconds,
@@ -75,7 +83,7 @@ pub struct Dependence {
     /// What is changed.
     pub change: Change,
     /// Cases that have an answer both ways; zero where it is not examined, as that would take
-    /// longer than the sweep.
+    /// more than a small part of the time of the sweep.
     pub cases: usize,
     /// Those of them with another label.
     pub changed: usize,
@@ -131,14 +139,36 @@ impl Dependence {
 pub struct Sample {
     cases: Vec<usize>,
     records: BTreeMap<(usize, usize), Record>,
+    /// The changes that take too long to be examined.
+    left_out: Vec<Change>,
 }
 
 impl Sample {
     /// Of a sweep, without records yet.
     pub fn of(sweep: &Sweep) -> Self {
+        let all = sweep.design.cases();
+        let [fewest, most] = CASES.map(|count| count.min(all));
+        let most = (all / ONE_IN).clamp(fewest, most);
+        let costs = Costs::of(sweep, &spread(all, fewest));
+        let (mut examined, mut left_out) = (variants(sweep), Vec::new());
+        let count = loop {
+            let fits = |count: &usize| costs.allow(&examined, *count);
+            if let Some(count) = (fewest..=most).rev().find(fits) {
+                break count;
+            }
+            let cost = |variant: &Variant| costs.of_variant(variant, fewest);
+            let places = 0..examined.len();
+            let dearest = places
+                .max_by(|one, other| cost(&examined[*one]).total_cmp(&cost(&examined[*other])));
+            match dearest {
+                Some(place) => left_out.push(examined.remove(place).change),
+                None => break fewest,
+            }
+        };
         Self {
-            cases: numbers(sweep),
+            cases: spread(all, count),
             records: BTreeMap::new(),
+            left_out,
         }
     }
 
@@ -241,22 +271,9 @@ pub fn bytes(sweep: &Sweep, setting: &Setting, longest_time: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Cases spread over a design: multiples of the golden ratio, modulo one, leave no gaps and
-/// follow no row or column of a grid.
-fn numbers(sweep: &Sweep) -> Vec<usize> {
-    let all = sweep.design.cases();
-    let [fewest, most] = CASES;
-    let setting = &sweep.setting;
-    let is_slow = setting.lateral.is_some() || setting.friction.is_some();
-    let few = if is_slow {
-        all.div_ceil(ONE_IN_OF_FEW)
-    } else {
-        all
-    };
-    let mut count = (all / ONE_IN).clamp(fewest, most).min(few);
-    if sweep.design.varies_string() {
-        count = count.min(MOST_STRINGS);
-    }
+/// A number of cases spread over all of a design: multiples of the golden ratio, modulo one, leave no
+/// gaps and follow no row or column of a grid.
+fn spread(all: usize, count: usize) -> Vec<usize> {
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let place = |index: usize| ((index as f64 + 0.5) * golden).fract();
     let mut cases: Vec<usize> = (0..count)
@@ -265,6 +282,71 @@ fn numbers(sweep: &Sweep) -> Vec<usize> {
     cases.sort_unstable();
     cases.dedup();
     cases
+}
+
+/// About what a run takes and what examining its labels would, in the time of one of its cases. No clock
+/// is asked: what is examined is the same on every machine.
+struct Costs<'a> {
+    sweep: &'a Sweep,
+    /// Of a case: with its system, where each has its own.
+    case: f64,
+    /// Of a system for all.
+    system: f64,
+    /// May be taken without a thought for the run.
+    little: f64,
+}
+
+impl<'a> Costs<'a> {
+    /// Of a sweep, of which some cases are looked at.
+    fn of(sweep: &'a Sweep, cases: &[usize]) -> Self {
+        let setting = &sweep.setting;
+        let some = cases
+            .iter()
+            .filter_map(|case| Case::of(sweep, setting, *case).ok());
+        let durations: Vec<f64> = some.map(|case| case.scene.timing.duration).collect();
+        let mean = durations.iter().sum::<f64>() / durations.len().max(1) as f64;
+        let (steps, sites) = (
+            mean * setting.sampling_frequency,
+            setting.sites.len() as f64,
+        );
+        let (case, system) = match sweep.design.varies_string() {
+            true => (1.0 + CASES_PER_SYSTEM, 0.0),
+            false => (1.0, CASES_PER_SYSTEM),
+        };
+        Self {
+            sweep,
+            case,
+            system,
+            little: LITTLE / (steps * sites * (1.0 + sites / SITES_FOR_TWICE)),
+        }
+    }
+
+    /// Whether all that a number of cases takes is little of what the run takes, or little at all.
+    fn allow(&self, variants: &[Variant], count: usize) -> bool {
+        let cases = self.sweep.design.likely_cases() as f64;
+        let run = self.sweep.methods.len() as f64 * (cases * self.case + self.system);
+        let cost = |variant: &Variant| self.of_variant(variant, count);
+        let sample: f64 = variants.iter().map(cost).sum();
+        sample <= (PART_OF_RUN * run).max(self.little)
+    }
+
+    /// Of a variant of a number of cases.
+    fn of_variant(&self, variant: &Variant, count: usize) -> f64 {
+        let cases = count as f64 * self.case;
+        let is_in_list = |method: &Method| {
+            let mut methods = self.sweep.methods.iter();
+            methods.any(|it| it.name() == method.name())
+        };
+        match variant.change {
+            Change::Method(_) if is_in_list(&variant.method) => 0.0,
+            Change::Method(_) if variant.method == Method::Held => {
+                HELD_PER_SYSTEM * self.system + cases
+            }
+            Change::Method(_) => self.system + cases,
+            Change::SamplingFrequencyHz(_) => FINER * (self.system + cases),
+            Change::Start(_) => cases,
+        }
+    }
 }
 
 /// A sweep with one thing changed.
@@ -307,8 +389,12 @@ fn variants(sweep: &Sweep) -> Vec<Variant> {
     ];
     // Where the string rubs it is in pieces, which waves held over a step are not.
     let is_in_pieces = sweep.setting.friction.is_some();
-    let other = (others.into_iter())
-        .find(|other| other.name() != method.name() && !(is_in_pieces && *other == Method::Held));
+    let may_be =
+        |other: &Method| other.name() != method.name() && !(is_in_pieces && *other == Method::Held);
+    // One by which the run has simulated all cases, where there is one.
+    let others = others.into_iter().filter(may_be);
+    let is_in_list = |other: &Method| sweep.methods.iter().any(|it| it.name() == other.name());
+    let other = (others.clone().find(is_in_list)).or_else(|| others.clone().next());
     let by_other = other.map(|other| Variant {
         change: Change::Method(other.name().to_owned()),
         method: other,
@@ -384,7 +470,10 @@ impl<'a> OfString<'a> {
         };
         let first = Variant::of_run(self.sweep);
         let as_run = records(&first).unwrap_or_default();
-        let count = |variant: &Variant| Some(differing(&as_run, &records(variant)?));
+        let count = |variant: &Variant| match sample.left_out.contains(&variant.change) {
+            true => Some([0; 3]),
+            false => Some(differing(&as_run, &records(variant)?)),
+        };
         variants.iter().map(count).collect()
     }
 

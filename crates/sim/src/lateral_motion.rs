@@ -31,6 +31,8 @@ pub(crate) struct LateralMotion<'a, W> {
     /// This step without contact: forces of disturbances, and displacements; x of all
     /// sites and then y.
     external: Vec<f64>,
+    /// Whether any of these forces is not zero.
+    is_disturbed: bool,
     free_positions: Vec<f64>,
     step_forces: Vec<f64>,
     /// Springs at the walls that the linear string has and the case has not, N/m, which are taken
@@ -96,6 +98,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             sliding_speeds: vec![None; sites],
             rotations: vec![0.0; sites],
             external: vec![0.0; 2 * sites],
+            is_disturbed: false,
             free_positions: vec![0.0; 2 * sites],
             step_forces: vec![0.0; 2 * sites],
             springs,
@@ -112,6 +115,9 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         let resting = self.resting_positions.iter();
         for (position, resting) in self.free_positions.iter_mut().zip(resting) {
             *position += resting;
+        }
+        if !self.is_disturbed {
+            return;
         }
         let planes = self.free_positions.chunks_exact_mut(sites);
         for (positions, external) in planes.zip(self.external.chunks_exact(sites)) {
@@ -132,13 +138,20 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
     fn find_external_forces(&mut self, time: f64, last_speeds: &[f64]) {
         let sampling = self.system.sampling;
         let sites = self.positions.len();
-        self.external.fill(0.0);
+        if self.is_disturbed {
+            self.external.fill(0.0);
+            self.is_disturbed = false;
+        }
         let mut add = |site: usize, [x, y]: [f64; 2]| {
+            self.is_disturbed = true;
             self.external[site] += x;
             self.external[sites + site] += y;
         };
         for impulse in &self.scene.impulses {
-            add(impulse.site, impulse.force(time));
+            let force = impulse.force(time);
+            if force != [0.0; 2] {
+                add(impulse.site, force);
+            }
         }
         for mass in &self.scene.eccentric_masses {
             let [x, y] = self.positions[mass.site];

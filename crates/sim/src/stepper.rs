@@ -588,7 +588,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         if let Some(bit) = &self.now.bit {
             self.bit_state.clone_from(&bit.state);
         }
-        self.rubbed.copy_from_slice(&self.now.rubbing);
+        if !self.rubbed.is_empty() {
+            self.rubbed.copy_from_slice(&self.now.rubbing);
+        }
     }
 
     /// The port of the bit, where a law acts there.

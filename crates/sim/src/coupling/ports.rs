@@ -178,7 +178,7 @@ impl<'a> Coupling<'a> {
     }
 
     /// Where the loads of all others bring a port.
-    #[inline]
+    #[inline(always)]
     pub(super) fn unloaded(&self, port: usize, free: Free) -> Unloaded {
         let mut moved = self.neighbours.by_far(port);
         let wall = (self.walled.as_ref()).and_then(|it| Some((it.walls, it.walls.at(port)?)));
@@ -235,7 +235,7 @@ impl<'a> Coupling<'a> {
     }
 
     /// The load of a port that has been solved, and what it changes for the others.
-    #[inline]
+    #[inline(always)]
     pub(super) fn replace(&mut self, port: usize, load: Load) {
         let before = self.set_load(port, load);
         if load != before {

@@ -19,10 +19,10 @@ pub const LONGEST: f64 = 2.5;
 /// Names, with what makes each.
 pub const SCENES: [(&str, fn() -> (System, Scene)); 7] = [
     ("bit_alone", bit_alone),
-    ("one_wall", || walls(1, &Method::Quadrature)),
-    ("three_walls", || walls(3, &Method::Quadrature)),
-    ("three_walls_held", || walls(3, &Method::Held)),
-    ("22_walls", || walls(22, &Method::Quadrature)),
+    ("one_wall", || walls((1, 45.0), &Method::Quadrature)),
+    ("three_walls", || walls((3, 45.0), &Method::Quadrature)),
+    ("three_walls_held", || walls((3, 45.0), &Method::Held)),
+    ("22_walls", || walls((22, 4.5), &Method::Quadrature)),
     ("cut", cut),
     ("pipe", pipe_friction),
 ];
@@ -68,10 +68,10 @@ fn bit_alone() -> (System, Scene) {
     (System::new(&responses).unwrap(), scene)
 }
 
-/// Forward whirl of masses that press all sites outwards, 4.5 m apart.
-fn walls(sites: usize, method: &Method) -> (System, Scene) {
+/// Forward whirl of masses that press a number of sites outwards, so far apart, m.
+fn walls((sites, apart): (usize, f64), method: &Method) -> (System, Scene) {
     let string = collars();
-    let distances: Vec<f64> = (0..sites).map(|site| 4.5 * site as f64).collect();
+    let distances: Vec<f64> = (0..sites).map(|site| apart * site as f64).collect();
     let request = Request {
         sites: Sites::new(&string, &distances).unwrap(),
         channels: vec![

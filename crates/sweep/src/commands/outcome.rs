@@ -74,7 +74,7 @@ fn not_examined(manifest: &Manifest) -> String {
         return String::new();
     }
     let words = format!(
-        "not examined, as it would take longer than the run: labels {}",
+        "not examined, as it would take more than a tenth of the time of the run: labels {}",
         changes.join(", ")
     );
     wrapped(&words, 2, 4)
