@@ -40,6 +40,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+use std::collections::HashMap;
+use std::sync::{Mutex, PoisonError};
+
 use num_complex::Complex64;
 
 use crate::assembly::lanes::Lanes;
@@ -80,6 +83,7 @@ pub struct CuttingLoop<'a> {
     torsion: AtBit<'a>,
     axial: AtBit<'a>,
     samples: Samples,
+    between: Between,
     /// Step of ω between samples, rad/s.
     step: f64,
     /// Roots count from this growth on, 1/s.
@@ -104,6 +108,14 @@ struct Samples {
     values: Vec<Sample>,
     /// From each on, the greatest size of each motion.
     greatest_from_here: Vec<[f64; 2]>,
+}
+
+/// What does not depend on the cut where steps are halved: sharp resonances, which are the same for every
+/// cut.
+#[derive(Debug, Default)]
+struct Between {
+    /// By the bits of ω, in parts that do not wait for one another.
+    parts: [Mutex<HashMap<u64, Sample>>; PARTS_BETWEEN],
 }
 
 /// What does not depend on the cut at growth + iω.
@@ -140,6 +152,10 @@ const SHARPER: f64 = 4.0;
 
 /// Most steps along the axis: some seconds of work, and 32 MB.
 const MOST_SAMPLES: usize = 1 << 19;
+
+/// Parts of what is kept between samples, and how many places each keeps: 20 MB in all.
+const PARTS_BETWEEN: usize = 32;
+const MOST_BETWEEN: usize = 1 << 13;
 
 /// Samples that are made at once, and groups of them that a core makes in one go.
 const BLOCK: usize = 4096;
@@ -207,6 +223,7 @@ impl<'a> CuttingLoop<'a> {
             torsion,
             axial,
             samples: Samples::default(),
+            between: Between::default(),
             growth: 0.0,
         })
     }
@@ -217,6 +234,7 @@ impl<'a> CuttingLoop<'a> {
     pub fn faster_than(mut self, growth: f64) -> Self {
         self.growth = growth;
         self.samples = Samples::default();
+        self.between = Between::default();
         self
     }
 
@@ -225,6 +243,7 @@ impl<'a> CuttingLoop<'a> {
     pub fn above_motor(mut self, rotor: Rotor) -> Self {
         self.torsion.rotor = Some(rotor);
         self.samples = Samples::default();
+        self.between = Between::default();
         self
     }
 
@@ -366,7 +385,7 @@ impl<'a> CuttingLoop<'a> {
         }
         let omega = 0.5 * (from.omega + to.omega);
         let s = self.place(omega);
-        let middle = self.at(self.mobilities(s));
+        let middle = self.between.at(omega, || self.at(self.mobilities(s)));
         let middle = Place::of(cut, omega, &middle, delayed(s, cut.delay));
         let left = halvings.checked_sub(1)?;
         Some(self.turns(cut, from, middle, left)? + self.turns(cut, middle, to, left)?)
@@ -495,6 +514,26 @@ impl Place {
             omega,
             product: sample.parts * (delayed * fed(cut, sample.mobilities) + 1.0),
         }
+    }
+}
+
+impl Between {
+    /// What is known at ω, rad/s, or is found now.
+    fn at(&self, omega: f64, find: impl FnOnce() -> Sample) -> Sample {
+        let bits = omega.to_bits();
+        // Halvings change the first bits of what comes after the leading one; products mix them.
+        let mixed = bits.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
+        let part = &self.parts[mixed as usize % PARTS_BETWEEN];
+        let kept = || part.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = kept().get(&bits) {
+            return *known;
+        }
+        let found = find();
+        let mut kept = kept();
+        if kept.len() < MOST_BETWEEN {
+            kept.insert(bits, found);
+        }
+        found
     }
 }
 
