@@ -341,7 +341,10 @@ impl<'a> CuttingLoop<'a> {
             };
             // (1 − e^(−st))/s.
             let next = place(index, (1.0 - phase * kept) / self.place(omega));
-            turns += self.turns(cut, here, next, MOST_HALVINGS)?;
+            turns += match passed(&here, &next) {
+                Some(turns) => turns,
+                None => self.turns(cut, here, next, MOST_HALVINGS)?,
+            };
             here = next;
         }
         let whole = f64::from(turns) * std::f64::consts::TAU;
@@ -372,16 +375,8 @@ impl<'a> CuttingLoop<'a> {
     /// How often the product passes the negative real axis between two places, counted where its
     /// argument grows.
     fn turns(&self, cut: &SteadyCut, from: Place, to: Place, halvings: u32) -> Option<i32> {
-        let (one, other) = (from.product, to.product);
-        let between = other * one.conj();
-        // In place of the tangent of the largest turn.
-        if between.im.abs() <= LARGEST_TURN * between.re {
-            let passes = one.im.is_sign_negative() != other.im.is_sign_negative() && one.re < 0.0;
-            return Some(match (passes, other.im.is_sign_negative()) {
-                (false, _) => 0,
-                (true, true) => 1,
-                (true, false) => -1,
-            });
+        if let Some(turns) = passed(&from, &to) {
+            return Some(turns);
         }
         let omega = 0.5 * (from.omega + to.omega);
         let s = self.place(omega);
@@ -490,6 +485,21 @@ impl<'a> CuttingLoop<'a> {
         }
         None
     }
+}
+
+/// The same of a product that turns by no more than may be followed; `None` of any other.
+#[inline(always)]
+fn passed(from: &Place, to: &Place) -> Option<i32> {
+    let (one, other) = (from.product, to.product);
+    let between = other * one.conj();
+    // In place of the tangent of the largest turn.
+    let is_followed = between.im.abs() <= LARGEST_TURN * between.re;
+    let (was_below, is_below) = (one.im.is_sign_negative(), other.im.is_sign_negative());
+    is_followed.then(|| match (was_below != is_below && one.re < 0.0, is_below) {
+        (false, _) => 0,
+        (true, true) => 1,
+        (true, false) => -1,
+    })
 }
 
 /// What the cut feeds back of a depth of cut that grows at a rate.
