@@ -81,8 +81,13 @@ impl Grip {
             within,
             ..
         } = *axial;
-        let resting = self.weight * mean(gaps, |gap| gap.depth.max(0.0));
-        let on_flats = mean(gaps, |gap| self.on_flats(gap.depth));
+        let share = 1.0 / gaps.len() as f64;
+        let (mut resting, mut on_flats) = (0.0, 0.0);
+        for gap in gaps {
+            resting += share * gap.depth.max(0.0);
+            on_flats += share * self.on_flats(gap.depth);
+        }
+        let resting = self.weight * resting;
         let taken = free_speed / compliance;
         let rate = if taken > resting + on_flats {
             self.down(axial, gaps)
@@ -103,35 +108,34 @@ impl Grip {
             self.change(axial, gaps, rate)
         };
         let advance = within * rate;
-        let cut_change = mean(gaps, |gap| match gap.depth + advance > 0.0 {
-            true => gap.change + within * rate_change,
-            false => 0.0,
-        });
-        Advance {
+        let mut all = Advance {
             rate,
             weight,
             weight_change: -rate_change / compliance,
-            cut: mean(gaps, |gap| (gap.depth + advance).max(0.0)),
-            cut_change,
-            depth_of_cut: mean(gaps, |gap| gap.depth + advance),
-            deepest_cut: (gaps.iter())
-                .map(|gap| gap.depth + advance)
-                .fold(f64::NEG_INFINITY, f64::max),
-            most_on_flats: mean(gaps, |gap| self.on_flats(gap.depth + advance)),
-            most_change: self.growth_left(gaps, advance) * cut_change,
-            touches: weight > 0.0 || gaps.iter().any(|gap| gap.depth + advance >= 0.0),
+            cut: 0.0,
+            cut_change: 0.0,
+            depth_of_cut: 0.0,
+            deepest_cut: f64::NEG_INFINITY,
+            most_on_flats: 0.0,
+            most_change: 0.0,
+            touches: false,
+        };
+        for gap in gaps {
+            let depth = gap.depth + advance;
+            if depth > 0.0 {
+                all.cut += share * depth;
+                all.cut_change += share * (gap.change + within * rate_change);
+            }
+            all.depth_of_cut += share * depth;
+            all.deepest_cut = all.deepest_cut.max(depth);
+            all.most_on_flats += share * self.on_flats(depth);
         }
-    }
-
-    /// By how much what they carry still grows with the depth of cut, N/m, of the deepest blade.
-    fn growth_left(&self, gaps: &[Gap], advance: f64) -> f64 {
-        let deepest = gaps
-            .iter()
-            .fold(0.0, |deep: f64, gap| deep.max(gap.depth + advance));
-        match self.growth * deepest < self.most {
-            true => self.growth,
-            false => 0.0,
+        // What they carry still grows with the depth of cut, as long as the deepest blade's does.
+        if self.growth * all.deepest_cut.max(0.0) < self.most {
+            all.most_change = self.growth * all.cut_change;
         }
+        all.touches = weight > 0.0 || all.deepest_cut >= 0.0;
+        all
     }
 
     /// What the flats of all blades carry at a depth of cut, m, while the bit goes down, N.
@@ -247,12 +251,6 @@ impl Grip {
         }
         -axial.compliance * change / (1.0 + axial.compliance * stiffness * axial.within)
     }
-}
-
-/// The mean of all blades.
-fn mean(gaps: &[Gap], of: impl Fn(&Gap) -> f64) -> f64 {
-    let share = 1.0 / gaps.len() as f64;
-    gaps.iter().map(|gap| share * of(gap)).sum()
 }
 
 /// The least of some corners of W(v) beyond one; infinite where there is none.

@@ -37,6 +37,7 @@ impl Face {
 
     /// Of the rock before a blade when the bit is at an angle: its depth, m, and how it changes with
     /// the angle, m/rad. Where the blade has been it is what the blade itself has left.
+    #[inline]
     pub(super) fn ahead(&self, blade: usize, angle: f64) -> (f64, f64) {
         if angle < self.furthest() {
             return self.left_by(blade, angle, self.angles.len());
@@ -54,6 +55,7 @@ impl Face {
     }
 
     /// What a blade has left where it was at an angle of the bit, looked for from a place.
+    #[inline]
     fn left_by(&self, blade: usize, angle: f64, near: usize) -> (f64, f64) {
         let depths = &self.depths[blade];
         if angle <= self.angles[0] {
@@ -74,13 +76,29 @@ impl Face {
     }
 
     /// How what a blade has left rises up to the end of a step, m/rad.
+    #[inline]
     fn rise(&self, blade: usize, above: usize) -> f64 {
         let (angles, depths) = (&self.angles[above - 1..=above], &self.depths[blade]);
         (depths[above] - depths[above - 1]) / (angles[1] - angles[0])
     }
 
-    /// The first angle that is not below one, looked for from a place.
+    /// The first angle that is not below one, looked for from a place: most often it is there, or next to
+    /// it.
+    #[inline]
     fn place_of(&self, angle: f64, near: usize) -> usize {
+        let around = near
+            .checked_sub(1)
+            .and_then(|low| self.angles.get(low..low + 3));
+        match around {
+            Some(&[before, here, next]) if before < angle && angle <= next => {
+                near + usize::from(here < angle)
+            }
+            _ => self.place_searched(angle, near),
+        }
+    }
+
+    /// The same wherever it is.
+    fn place_searched(&self, angle: f64, near: usize) -> usize {
         let count = self.angles.len();
         let (mut low, mut high) = (near, near);
         let mut reach = 1;

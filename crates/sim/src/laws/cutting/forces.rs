@@ -177,19 +177,19 @@ impl CuttingForces {
             }
         };
         // Even blades are one to the rock.
-        let (one, several);
+        let (one, mut several);
         let gaps: &[advance::Gap] = match self.angles.len() {
             1 => {
                 one = [gap(0)];
                 &one
             }
             blades => {
-                several =
-                    std::array::from_fn::<_, MOST_PROFILES, _>(|blade| match blade < blades {
-                        true => gap(blade),
-                        false => advance::Gap::default(),
-                    });
-                &several[..blades]
+                several = [advance::Gap::default(); MOST_PROFILES];
+                let several = &mut several[..blades];
+                for (blade, it) in several.iter_mut().enumerate() {
+                    *it = gap(blade);
+                }
+                several
             }
         };
         let nearest = gaps
