@@ -495,7 +495,7 @@ fn passed(from: &Place, to: &Place) -> Option<i32> {
     // In place of the tangent of the largest turn.
     let is_followed = between.im.abs() <= LARGEST_TURN * between.re;
     let (was_below, is_below) = (one.im.is_sign_negative(), other.im.is_sign_negative());
-    is_followed.then(|| match (was_below != is_below && one.re < 0.0, is_below) {
+    is_followed.then_some(match (was_below != is_below && one.re < 0.0, is_below) {
         (false, _) => 0,
         (true, true) => 1,
         (true, false) => -1,

@@ -6,9 +6,9 @@ use super::ports::Walled;
 use crate::line::Within;
 
 /// A port is near where either's load within a step moves the other by more than this part of what it moves
-/// itself by. Loads far away change in a step by a part of themselves, so that what they are late by is
-/// less than what a wall's law is held to (`laws::contact_residual`).
-const NEAR: f64 = 1e-9;
+/// itself by. What loads far away are late by is then less than a tenth of what a wall's law is held to
+/// (`laws::contact_residual`), however they change in a step.
+const NEAR: f64 = 3e-11;
 
 /// Of so few ports all are near: there is nothing to save.
 const FEW: usize = 8;
@@ -80,6 +80,17 @@ impl Neighbours {
     /// Of ports that turn one another like this and of which some have walls, where the string has
     /// these radii, m.
     pub(super) fn new(within: Within, walled: Option<&Walled>, radii: &[f64]) -> Self {
+        let near_from = if within.ports() > FEW { NEAR } else { 0.0 };
+        Self::near_from(near_from, within, walled, radii)
+    }
+
+    /// The same, those near that feel one another by more than a part.
+    pub(super) fn near_from(
+        part: f64,
+        within: Within,
+        walled: Option<&Walled>,
+        radii: &[f64],
+    ) -> Self {
         let count = within.ports();
         let wall_at = |port: usize| walled.and_then(|it| Some((it.bending, it.walls.at(port)?)));
         let bends = |port: usize, other: usize| {
@@ -96,7 +107,6 @@ impl Neighbours {
             Within::All(_) => (0..count).collect(),
             Within::Chain(_) => walled.map_or(Vec::new(), |it| it.walls.ports().to_vec()),
         };
-        let near_from = if count > FEW { NEAR } else { 0.0 };
         let (mut near, mut far) = (ByPort::default(), ByPort::default());
         for port in 0..count {
             for &other in felt.iter().filter(|other| **other != port) {
@@ -125,7 +135,7 @@ impl Neighbours {
                     worth_of_torque,
                 };
                 let most = bent.into_iter().chain(turned).fold(0.0, f64::max);
-                if most > near_from {
+                if most > part {
                     near.all.push(neighbour);
                 } else if most > 0.0 {
                     far.all.push(neighbour);

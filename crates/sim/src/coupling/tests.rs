@@ -1,6 +1,7 @@
 use numerics::{Mat, equations};
 
 use super::gauss_seidel::{COUPLING_TOLERANCE, MOST_TURNS};
+use super::neighbours::Neighbours;
 use super::*;
 use crate::laws::contact::{Approach, Contact, ContactError, Spin, WallLaw};
 use crate::laws::wall::Wall;
@@ -230,6 +231,47 @@ impl Walls {
         }
     }
 
+    /// Many sites along a string, next to one another or so far apart that they hardly feel one another:
+    /// rigid or not, against friction that falls or does not.
+    fn in_row(random: &mut impl FnMut() -> f64) -> Self {
+        let clearance = 0.01;
+        let mut places = vec![0.0];
+        for _ in 1..16 {
+            let last = places[places.len() - 1];
+            places.push(last + 0.5 + 9.0 * random());
+        }
+        let spread = |scale: f64, length: f64| -> Vec<Vec<f64>> {
+            let felt = |a: f64, b: f64| scale * (-(a - b).abs() / length).exp();
+            let row = |a: &f64| places.iter().map(|b| felt(*a, *b)).collect();
+            places.iter().map(row).collect()
+        };
+        let (bending, torsion) = (spread(3e-9, 1.0), spread(1.5e-5, 0.7));
+        let wall = |random: &mut dyn FnMut() -> f64| Wall {
+            clearance,
+            stiffness: match random() < 0.3 {
+                true => f64::INFINITY,
+                false => 10f64.powf(9.0 + 2.0 * random()),
+            },
+            friction: 0.5 * random(),
+            dynamic_ratio: if random() < 0.3 { 0.7 } else { 1.0 },
+            stribeck_speed: 1.0,
+            radius: 0.15,
+        };
+        let walls = places.iter().map(|_| wall(random)).collect();
+        let mut at = |least: f64, most: f64| {
+            let (radius, angle) = (least + (most - least) * random(), 0.3 * random());
+            [angle.cos(), angle.sin()].map(|part| clearance * radius * part)
+        };
+        Self {
+            walls,
+            bending,
+            torsion,
+            positions: places.iter().map(|_| at(0.98, 1.1)).collect(),
+            previous: places.iter().map(|_| at(0.99, 1.01)).collect(),
+            speeds: places.iter().map(|_| 10.0 * random()).collect(),
+        }
+    }
+
     fn meet(&self, site: usize, unloaded: &Unloaded) -> Result<Contact, ContactError> {
         self.walls[site].meet(&Approach {
             free_position: unloaded.position,
@@ -270,10 +312,20 @@ impl Walls {
 
     /// The loads to which Gauss–Seidel iteration and Newton's method converge.
     fn settle(&self) -> Option<Vec<Load>> {
+        self.settle_near(None)
+    }
+
+    /// The same, where that is given of ports that are near by more than a part.
+    fn settle_near(&self, part: Option<f64>) -> Option<Vec<Load>> {
         let (torsion, bending) = (channel(&self.torsion), channel(&self.bending));
         let radii: Vec<f64> = self.walls.iter().map(WallLaw::radius).collect();
         let walls = WallPorts::new((0..radii.len()).collect(), radii.len());
-        let mut coupling = Coupling::new(Within::All(&torsion), Some(&bending), (&walls, &radii));
+        let within = Within::All(&torsion);
+        let mut coupling = Coupling::new(within, Some(&bending), (&walls, &radii));
+        if let Some(part) = part {
+            let walled = coupling.walled.as_ref();
+            coupling.neighbours = Neighbours::near_from(part, within, walled, &radii);
+        }
         let axis = |axis: usize| self.positions.iter().map(move |position| position[axis]);
         let positions: Vec<f64> = axis(0).chain(axis(1)).collect();
         let free = Free {
@@ -521,4 +573,34 @@ fn close_sites_with_much_friction_that_come_from_across_the_hole_settle() {
         .fold(0.0, |most: f64, off| most.max(*off));
     assert!(given_up <= 1, "{given_up}");
     assert!(most < 1e-9, "{most:e}");
+}
+
+/// Sites far away are felt once a step: even where all come into contact in it forces are the same to 1e-10.
+#[test]
+fn what_is_far_away_is_felt_once_a_step() {
+    let mut state = 11u64;
+    let mut random = || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let (mut compared, mut most, mut least) = (0, 0f64, f64::INFINITY);
+    for _ in 0..300 {
+        let walls = Walls::in_row(&mut random);
+        let (Some(found), Some(exact)) = (walls.settle(), walls.settle_near(Some(0.0))) else {
+            continue;
+        };
+        let largest = exact.iter().flat_map(|load| load.force);
+        let largest = largest.fold(0.0, |most: f64, force| most.max(force.abs()));
+        let apart = found.iter().zip(&exact).map(|(one, other)| {
+            (one.force[0] - other.force[0]).hypot(one.force[1] - other.force[1]) / largest
+        });
+        let apart = apart.fold(0.0, f64::max);
+        (compared, most, least) = (compared + 1, most.max(apart), least.min(apart));
+    }
+    assert!(compared > 200, "{compared}");
+    assert!(most < 1e-10, "{most:e}");
+    // They were not all near.
+    assert!(least > 0.0, "{least:e}");
 }

@@ -16,8 +16,11 @@ use sim::{
 /// s.
 pub const LONGEST: f64 = 2.5;
 
+/// Makes a scene and its system.
+type Make = fn() -> (System, Scene);
+
 /// Names, with what makes each.
-pub const SCENES: [(&str, fn() -> (System, Scene)); 7] = [
+pub const SCENES: [(&str, Make); 7] = [
     ("bit_alone", bit_alone),
     ("one_wall", || walls((1, 45.0), &Method::Quadrature)),
     ("three_walls", || walls((3, 45.0), &Method::Quadrature)),

@@ -73,7 +73,7 @@ impl Continued<'_> {
     #[inline(always)]
     fn mean_force(&self, middle: f64, end: f64) -> Option<MeanForce> {
         let depth = end - self.wall.clearance;
-        if !(depth > 0.0) {
+        if depth <= 0.0 {
             return None;
         }
         let (one, other) = (self.root, depth.sqrt());
