@@ -34,7 +34,7 @@ const LITTLE: f64 = 7.5e5;
 /// Cases that take as long as building their system does, at most,
 const CASES_PER_SYSTEM: f64 = 20.0;
 
-/// and so many times as many by `held`, which is built in shorter steps.
+/// and this number of times as many by `held`, which is built in shorter steps.
 const HELD_PER_SYSTEM: f64 = 2.0;
 
 /// Sites at which a step takes twice as long a site as at one.
@@ -297,7 +297,7 @@ struct Costs<'a> {
 }
 
 impl<'a> Costs<'a> {
-    /// Of a sweep, of which some cases are looked at.
+    /// Of a sweep, from how long some of its cases last.
     fn of(sweep: &'a Sweep, cases: &[usize]) -> Self {
         let setting = &sweep.setting;
         let some = cases

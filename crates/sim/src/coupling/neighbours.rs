@@ -2,8 +2,7 @@
 //! away the loads as they were when it began.
 
 use super::loads::Load;
-use super::ports::Walled;
-use crate::line::Within;
+use crate::line::{Bending, WallPorts, Within};
 
 /// A port is near where either's load within a step moves the other by more than this part of what it moves
 /// itself by. What loads far away are late by is then less than a tenth of what a wall's law is held to
@@ -26,6 +25,13 @@ pub(super) struct Neighbour {
     pub(super) worth_of_force: f64,
     /// The same of a torque here.
     pub(super) worth_of_torque: f64,
+}
+
+/// How the ports that have walls bend.
+#[derive(Debug)]
+pub(super) struct Walled<'a> {
+    pub(super) bending: &'a Bending,
+    pub(super) walls: &'a WallPorts,
 }
 
 /// How loads move a port.

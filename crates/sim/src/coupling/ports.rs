@@ -1,7 +1,7 @@
 //! The ports of a step: where they would be, their loads, and what these are worth to one another.
 
 use super::loads::Load;
-use super::neighbours::Neighbours;
+use super::neighbours::{Neighbours, Walled};
 use crate::line::{Bending, Chain, WallPorts, Within};
 
 /// The loads of all ports that may bear one.
@@ -24,13 +24,6 @@ pub(crate) struct Coupling<'a> {
     /// Whether of several answers of a wall the nearest to its present one is wanted.
     pub(super) keeps_answers: bool,
     pub(super) row: Row,
-}
-
-/// How the ports that have walls bend.
-#[derive(Debug)]
-pub(super) struct Walled<'a> {
-    pub(super) bending: &'a Bending,
-    pub(super) walls: &'a WallPorts,
 }
 
 /// What ports in a row have of a step.

@@ -14,8 +14,8 @@
 //!
 //! The law is that of a wall met at the middle position itself, but closer to the centre:
 //! how much so follows from the answer, and is found by the secant rule. Where that fails
-//! the depth of the middle counts, and the step as ambiguous: it wants a higher f_s. Most steps go on
-//! as the one before went; these are solved by Newton's method (`continued`).
+//! the depth of the middle counts, and the step as ambiguous: it wants a higher f_s. Most steps continue
+//! as the one before was; these are solved by Newton's method (`continued`).
 
 mod continued;
 

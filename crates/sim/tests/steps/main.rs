@@ -26,7 +26,7 @@ const TOLERANCE: f64 = 0.03;
 /// Names the scene that is stepped, and the number of steps, where valgrind counts.
 const SCENE: &str = "STEPS_OF_SCENE";
 
-/// One step in so many may: buffers that grow, and scratch that a thread keeps.
+/// One step in this number may: buffers that grow, and scratch that a thread keeps.
 const MAY_ALLOCATE: usize = 100;
 
 #[test]
@@ -51,7 +51,7 @@ fn a_step_allocates_nothing() {
 
 /// Steps a scene for valgrind, which runs this test of this program alone.
 #[test]
-#[ignore = "is run by the test of instructions"]
+#[ignore = "needs valgrind"]
 fn steps_of_one_scene() {
     let Ok(asked) = std::env::var(SCENE) else {
         return;

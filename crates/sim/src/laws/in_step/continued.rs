@@ -1,4 +1,4 @@
-//! The wall met in the middle of a step by a site that goes on as it went: it slid and slides the same
+//! The wall met in the middle of a step by a site that continues as it moved: it slid and slides the same
 //! way, or rolled and rolls. Newton's method, in the position or, along the direction in which it
 //! rolls, in the distance from the centre, most often needs one or two evaluations of the law.
 
@@ -11,7 +11,7 @@ use super::length;
 /// times the distance from the centre.
 const CLOSE: f64 = 1e-14;
 
-/// What has not been found in so many steps is looked for as anything else is.
+/// What has not been found in this number of steps is looked for as anything else is.
 const MOST_STEPS: usize = 8;
 
 /// A step of a site that was on the wall at its beginning.
@@ -38,7 +38,7 @@ struct MeanForce {
 }
 
 impl Wall {
-    /// The answer where the site goes on as it went; `None` where it does anything else, other answers
+    /// The answer where the site continues as it moved; `None` where it does anything else, other answers
     /// are not excluded, or the law is not one that this is written for.
     #[inline]
     pub(super) fn continues(&self, approach: &Approach) -> Option<Contact> {
