@@ -2,6 +2,11 @@
 //! the start. A few cases of a sweep are simulated again, each with one of these changed; what a run has
 //! simulated by the methods of its list is not.
 
+mod costs;
+mod variant;
+
+pub use variant::Change;
+
 use std::collections::BTreeMap;
 
 use anyhow::Result;
@@ -13,32 +18,20 @@ use crate::engine::{
     Case, MethodSystem, Recipe, RunOptions, Shard, StringMemory, answer, has_case, setting_of,
 };
 
-use crate::records::{FINER, Record, Whirl};
+use crate::records::{Record, Whirl};
 
-use crate::plan::{Setting, Starts, Sweep};
-use crate::sweep_file::{FileContent, StartName};
-use crate::words::{counted, short};
+use crate::plan::{Setting, Sweep};
+use crate::sweep_file::FileContent;
+use crate::words::counted;
+
+use costs::Costs;
+use variant::{Variant, variants};
 
 /// One case in this number is simulated again,
 const ONE_IN: usize = 25;
 
 /// but no fewer than the first of these, where there are as many, and no more than the second.
 const CASES: [usize; 2] = [12, 64];
-
-/// What it takes may be this part of what the run takes,
-const PART_OF_RUN: f64 = 0.1;
-
-/// or so little, in steps of a case times its sites: a sixth of a second.
-const LITTLE: f64 = 7.5e5;
-
-/// Cases that take as long as building their system does, at most,
-const CASES_PER_SYSTEM: f64 = 20.0;
-
-/// and this number of times as many by `held`, which is built in shorter steps.
-const HELD_PER_SYSTEM: f64 = 2.0;
-
-/// Sites at which a step takes twice as long a site as at one.
-const SITES_FOR_TWICE: f64 = 6.0;
 
 /// A system is built to look at labels where its taps times the parts of the string are no more
 /// than this, which takes some seconds,
@@ -52,30 +45,6 @@ const WARNED_PART: f64 = 0.1;
 
 /// and the fewest labels.
 const WARNED_CASES: usize = 2;
-
-/// What is changed of a case.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Change {
-    /// The linear method, to that of a name.
-    Method(String),
-    /// The sampling frequency, Hz, of the string as the file says it.
-    SamplingFrequencyHz(f64),
-    /// The start.
-    Start(StartName),
-}
-
-impl Change {
-    /// What is done otherwise.
-    pub fn words(&self) -> String {
-        match self {
-            Change::Method(method) => format!("by {method}"),
-            Change::SamplingFrequencyHz(frequency) => format!("at {} Hz", short(*frequency)),
-            Change::Start(StartName::Smooth) => "begun in smooth rotation".to_owned(),
-            Change::Start(_) => "begun with the bit held".to_owned(),
-        }
-    }
-}
 
 /// How many labels of the first method change with it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -143,30 +112,53 @@ pub struct Sample {
     left_out: Vec<Change>,
 }
 
-impl Sample {
-    /// Of a sweep, without records yet.
-    pub fn of(sweep: &Sweep) -> Self {
+/// What is examined of a sweep.
+struct Examination {
+    /// With which changes,
+    variants: Vec<Variant>,
+    /// and with which not, as that takes too long.
+    left_out: Vec<Change>,
+    /// How many cases.
+    cases: usize,
+}
+
+impl Examination {
+    fn of(sweep: &Sweep) -> Self {
         let all = sweep.design.cases();
         let [fewest, most] = CASES.map(|count| count.min(all));
         let most = (all / ONE_IN).clamp(fewest, most);
         let costs = Costs::of(sweep, &spread(all, fewest));
-        let (mut examined, mut left_out) = (variants(sweep), Vec::new());
-        let count = loop {
-            let fits = |count: &usize| costs.allow(&examined, *count);
+        let (mut variants, mut left_out) = (variants(sweep), Vec::new());
+        let cases = loop {
+            let fits = |count: &usize| costs.allow(&variants, *count);
             if let Some(count) = (fewest..=most).rev().find(fits) {
                 break count;
             }
             let cost = |variant: &Variant| costs.of_variant(variant, fewest);
-            let places = 0..examined.len();
+            let places = 0..variants.len();
             let dearest = places
-                .max_by(|one, other| cost(&examined[*one]).total_cmp(&cost(&examined[*other])));
+                .max_by(|one, other| cost(&variants[*one]).total_cmp(&cost(&variants[*other])));
             match dearest {
-                Some(place) => left_out.push(examined.remove(place).change),
+                Some(place) => left_out.push(variants.remove(place).change),
                 None => break fewest,
             }
         };
         Self {
-            cases: spread(all, count),
+            variants,
+            left_out,
+            cases,
+        }
+    }
+}
+
+impl Sample {
+    /// Cases of a sweep, without records yet.
+    pub fn of(sweep: &Sweep) -> Self {
+        let Examination {
+            left_out, cases, ..
+        } = Examination::of(sweep);
+        Self {
+            cases: spread(sweep.design.cases(), cases),
             records: BTreeMap::new(),
             left_out,
         }
@@ -265,10 +257,9 @@ pub fn bytes(sweep: &Sweep, setting: &Setting, longest_time: f64) -> f64 {
         let memory = StringMemory::of(sweep, &setting, &[variant.method], longest_time);
         memory.systems.peak + parallel::threads() as f64 * memory.case
     };
-    variants(sweep)
-        .into_iter()
-        .map(of_variant)
-        .fold(0.0, f64::max)
+    let examined = Examination::of(sweep).variants.into_iter();
+    let built = examined.filter(|variant| !variant.is_of_list(sweep));
+    built.map(of_variant).fold(0.0, f64::max)
 }
 
 /// A number of cases spread over all of a design: multiples of the golden ratio, modulo one, leave no
@@ -282,138 +273,6 @@ fn spread(all: usize, count: usize) -> Vec<usize> {
     cases.sort_unstable();
     cases.dedup();
     cases
-}
-
-/// About what a run takes and what examining its labels would, in the time of one of its cases. No clock
-/// is asked: what is examined is the same on every machine.
-struct Costs<'a> {
-    sweep: &'a Sweep,
-    /// Of a case: with its system, where each has its own.
-    case: f64,
-    /// Of a system for all.
-    system: f64,
-    /// May be taken without a thought for the run.
-    little: f64,
-}
-
-impl<'a> Costs<'a> {
-    /// Of a sweep, from how long some of its cases last.
-    fn of(sweep: &'a Sweep, cases: &[usize]) -> Self {
-        let setting = &sweep.setting;
-        let some = cases
-            .iter()
-            .filter_map(|case| Case::of(sweep, setting, *case).ok());
-        let durations: Vec<f64> = some.map(|case| case.scene.timing.duration).collect();
-        let mean = durations.iter().sum::<f64>() / durations.len().max(1) as f64;
-        let (steps, sites) = (
-            mean * setting.sampling_frequency,
-            setting.sites.len() as f64,
-        );
-        let (case, system) = match sweep.design.varies_string() {
-            true => (1.0 + CASES_PER_SYSTEM, 0.0),
-            false => (1.0, CASES_PER_SYSTEM),
-        };
-        Self {
-            sweep,
-            case,
-            system,
-            little: LITTLE / (steps * sites * (1.0 + sites / SITES_FOR_TWICE)),
-        }
-    }
-
-    /// Whether all that a number of cases takes is little of what the run takes, or little at all.
-    fn allow(&self, variants: &[Variant], count: usize) -> bool {
-        let cases = self.sweep.design.likely_cases() as f64;
-        let run = self.sweep.methods.len() as f64 * (cases * self.case + self.system);
-        let cost = |variant: &Variant| self.of_variant(variant, count);
-        let sample: f64 = variants.iter().map(cost).sum();
-        sample <= (PART_OF_RUN * run).max(self.little)
-    }
-
-    /// Of a variant of a number of cases.
-    fn of_variant(&self, variant: &Variant, count: usize) -> f64 {
-        let cases = count as f64 * self.case;
-        let is_in_list = |method: &Method| {
-            let mut methods = self.sweep.methods.iter();
-            methods.any(|it| it.name() == method.name())
-        };
-        match variant.change {
-            Change::Method(_) if is_in_list(&variant.method) => 0.0,
-            Change::Method(_) if variant.method == Method::Held => {
-                HELD_PER_SYSTEM * self.system + cases
-            }
-            Change::Method(_) => self.system + cases,
-            Change::SamplingFrequencyHz(_) => FINER * (self.system + cases),
-            Change::Start(_) => cases,
-        }
-    }
-}
-
-/// A sweep with one thing changed.
-struct Variant {
-    change: Change,
-    method: Method,
-    starts: Starts,
-}
-
-impl Variant {
-    /// What a run does: its own first method, as it stands in the place of another.
-    fn of_run(sweep: &Sweep) -> Self {
-        let method = sweep.methods[0];
-        Self {
-            change: Change::Method(method.name().to_owned()),
-            method,
-            starts: sweep.starts,
-        }
-    }
-
-    /// A setting sampled as the variant is.
-    fn setting(&self, setting: &Setting) -> Setting {
-        match self.change {
-            Change::SamplingFrequencyHz(_) => {
-                setting.sampled_at(FINER * setting.frequency_by(&self.method))
-            }
-            Change::Method(_) | Change::Start(_) => setting.clone(),
-        }
-    }
-}
-
-fn variants(sweep: &Sweep) -> Vec<Variant> {
-    let (method, starts) = (sweep.methods[0], sweep.starts);
-    let finer = FINER * sweep.setting.frequency_by(&method);
-    let parameters = sweep.content.method.finite_element;
-    let others = [
-        Method::Held,
-        Method::Quadrature,
-        Method::FiniteElement(parameters),
-    ];
-    // Where the string rubs it is in pieces, which waves held over a step are not.
-    let is_in_pieces = sweep.setting.friction.is_some();
-    let may_be =
-        |other: &Method| other.name() != method.name() && !(is_in_pieces && *other == Method::Held);
-    // One by which the run has simulated all cases, where there is one.
-    let others = others.into_iter().filter(may_be);
-    let is_in_list = |other: &Method| sweep.methods.iter().any(|it| it.name() == other.name());
-    let other = (others.clone().find(is_in_list)).or_else(|| others.clone().next());
-    let by_other = other.map(|other| Variant {
-        change: Change::Method(other.name().to_owned()),
-        method: other,
-        starts,
-    });
-    let at_finer = Variant {
-        change: Change::SamplingFrequencyHz(finer),
-        method,
-        starts,
-    };
-    let begun_otherwise = starts.otherwise(&sweep.content).map(|starts| Variant {
-        change: Change::Start(starts.name),
-        method,
-        starts,
-    });
-    (by_other.into_iter())
-        .chain([at_finer])
-        .chain(begun_otherwise)
-        .collect()
 }
 
 /// A case that is examined.
@@ -644,7 +503,7 @@ mod tests {
         Sweep::read_from(Path::new("sweep.toml"), &[], &|path, _| {
             Ok(match path.to_str() {
                 Some("sweep.toml") => text.clone(),
-                _ => include_str!("../../../sweeps/academic.toml").to_owned(),
+                _ => include_str!("../../../../sweeps/academic.toml").to_owned(),
             })
         })
     }
