@@ -31,7 +31,7 @@ impl Method {
             },
             // δ(ζ) of the trapezoidal rule; a displacement that is the mean of those at
             // both ends of a step has the mean speed over it.
-            Method::Held | Method::Trapezoidal => Derivative {
+            Method::Held | Method::Poles | Method::Trapezoidal => Derivative {
                 numerator: [2.0, -2.0, 0.0],
                 denominator: [1.0, 1.0, 0.0],
             },

@@ -389,6 +389,15 @@ pub enum BuildError {
         /// Name of the method.
         method: &'static str,
     },
+    /// Poles would give back more than forces put in.
+    #[error("the poles of this string are not passive ({margin:.1e} of its response): take held")]
+    PolesNotPassive {
+        /// The least part of the response.
+        margin: f64,
+    },
+    /// A string buckles without what holds its sites: its poles would grow.
+    #[error("poles are those of a string that does not buckle by itself: take finite-element, or hold its sites")]
+    Buckles,
     /// A response is not a number, because the string's constants are extreme.
     #[error("the response by {method} is not finite")]
     NotFinite {

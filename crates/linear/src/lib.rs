@@ -112,6 +112,7 @@ pub mod modes;
 pub mod natural_frequencies;
 pub mod parallel;
 pub mod passivity;
+pub mod poles;
 pub mod pulse;
 pub mod regenerative;
 pub mod responses;
@@ -146,6 +147,7 @@ pub use responses::{
 };
 pub use sites::Sites;
 pub use steady::{GrowingTorque, SteadyMotion};
+pub use poles::{BendingPoles, PolePlan};
 pub use stepped::{SteppedPlan, SteppedString};
 pub use stress::Stress;
 pub use surroundings::{AxialForce, Hole, HoleSection, Mud};

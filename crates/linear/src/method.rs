@@ -30,6 +30,9 @@ pub enum Method {
     Trapezoidal,
     /// Finite elements with Newmark's scheme (Section 3).
     FiniteElement(FiniteElement),
+    /// As [`Method::Held`] in torsion and along the axis, and in bending by the poles of the string
+    /// ([`crate::poles`]): for many sites.
+    Poles,
     /// The plain inverse discrete Fourier transform: a counterexample, which fails.
     DirectIdft(Transform),
 }
@@ -40,15 +43,27 @@ impl Method {
     /// motion is the mean over it, step k from k/f_s to (k + 1)/f_s.
     pub fn collocation_offset(&self) -> f64 {
         match self {
-            Method::Held => 0.5,
+            Method::Held | Method::Poles => 0.5,
             _ => 0.0,
         }
     }
 
     /// Whether its responses are the same in both directions to the last digit. Those that are sampled
-    /// at zero frequency are so but for the rounding of what they are there.
+    /// at zero frequency are so but for the rounding of what they are there, and those of poles but for
+    /// what loss the shapes leave out.
     pub fn is_reciprocal(&self) -> bool {
-        !matches!(self, Method::Hilbert(_) | Method::DirectIdft(_))
+        !matches!(
+            self,
+            Method::Hilbert(_) | Method::DirectIdft(_) | Method::Poles
+        )
+    }
+
+    /// The method by which a string turns, and moves along its axis.
+    pub fn of_rods(&self) -> &Method {
+        match self {
+            Method::Poles => &Method::Held,
+            other => other,
+        }
     }
 
     /// The name used in files and on the command line.
@@ -59,6 +74,7 @@ impl Method {
             Method::Quadrature => "quadrature",
             Method::Trapezoidal => "trapezoidal",
             Method::FiniteElement(_) => "finite-element",
+            Method::Poles => "poles",
             Method::DirectIdft(_) => "direct-idft",
         }
     }

@@ -43,7 +43,7 @@ use crate::elements::stepped::{SteppedChannel, SurfaceElement, assembled_bytes, 
 use crate::error::BuildError;
 use crate::method::{FiniteElement, Method};
 use crate::passivity::Ending;
-use crate::responses::length::{MOST_TAPS, needed_taps, too_many};
+use crate::responses::length::taps_of;
 use crate::responses::{ChannelResponses, Responses};
 use crate::sites::Sites;
 
@@ -181,15 +181,6 @@ impl<'a> SteppedPlan<'a> {
 /// Whether springs hold any of the sites.
 fn has_springs(sites: &Sites) -> bool {
     sites.springs().iter().any(|spring| *spring > 0.0)
-}
-
-/// Taps of responses that are as long as a simulation (s).
-fn taps_of(longest_time: f64, sampling_frequency: f64) -> Result<usize, BuildError> {
-    let needed = needed_taps(longest_time, sampling_frequency);
-    if needed > MOST_TAPS as f64 {
-        return Err(too_many(needed));
-    }
-    Ok(needed as usize)
 }
 
 /// Bytes of responses of sites from the surface and, in torsion and in bending, from loads.

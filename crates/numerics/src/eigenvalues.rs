@@ -12,7 +12,7 @@
 //! # Ok::<(), numerics::NumericsError>(())
 //! ```
 
-use faer::linalg::solvers::{EvdError, LltError};
+use faer::linalg::solvers::{EvdError, Llt, LltError};
 use faer::{Mat, Side};
 use realfft::num_complex::Complex64;
 
@@ -28,6 +28,30 @@ impl From<LltError> for NumericsError {
     fn from(LltError::NonPositivePivot { index }: LltError) -> Self {
         Self::NotPositiveDefinite { row: index }
     }
+}
+
+/// Eigenvalues of a square matrix with their vectors, in no order: the columns of a matrix, those of two
+/// that are conjugate next to one another.
+///
+/// # Errors
+/// Where they are not found.
+pub fn general_with_vectors(
+    matrix: &Mat<f64>,
+) -> Result<(Vec<Complex64>, Mat<Complex64>), NumericsError> {
+    let found = matrix.eigen()?;
+    let values = found.S().column_vector().iter().copied();
+    Ok((values.collect(), found.U().to_owned()))
+}
+
+/// Eigenvalues of a symmetric matrix, of which the lower triangle is read, rising, with their vectors: the
+/// columns of an orthogonal matrix.
+///
+/// # Errors
+/// Where they are not found.
+pub fn of_symmetric_with_vectors(matrix: &Mat<f64>) -> Result<(Vec<f64>, Mat<f64>), NumericsError> {
+    let found = matrix.self_adjoint_eigen(Side::Lower)?;
+    let values = found.S().column_vector().iter().copied();
+    Ok((values.collect(), found.U().to_owned()))
 }
 
 /// Of a square matrix, in no order.
@@ -97,11 +121,30 @@ pub fn are_positive_of_symmetric(lower: &mut [f64]) -> bool {
 /// # Errors
 /// Where B is not positive definite, or they are not found.
 pub fn of_pencil(a: &Mat<f64>, b: &Mat<f64>) -> Result<Vec<f64>, NumericsError> {
-    // With B = LLᵀ those of L⁻¹AL⁻ᵀ.
     let decomposed = b.llt(Side::Lower)?;
+    Ok(reduced(a, &decomposed).self_adjoint_eigenvalues(Side::Lower)?)
+}
+
+/// The same with their x, for which xᵀBx is one: the columns of a matrix.
+///
+/// # Errors
+/// As [`of_pencil`].
+pub fn of_pencil_with_vectors(
+    a: &Mat<f64>,
+    b: &Mat<f64>,
+) -> Result<(Vec<f64>, Mat<f64>), NumericsError> {
+    let decomposed = b.llt(Side::Lower)?;
+    let (values, mut vectors) = of_symmetric_with_vectors(&reduced(a, &decomposed))?;
+    let upper = decomposed.L().transpose();
+    upper.solve_upper_triangular_in_place(&mut vectors);
+    Ok((values, vectors))
+}
+
+/// L⁻¹AL⁻ᵀ with B = LLᵀ, whose eigenvalues are those of the pencil.
+fn reduced(a: &Mat<f64>, decomposed: &Llt<f64>) -> Mat<f64> {
     let mut reduced = a.clone();
     decomposed.L().solve_lower_triangular_in_place(&mut reduced);
     let mut reduced = reduced.transpose().to_owned();
     decomposed.L().solve_lower_triangular_in_place(&mut reduced);
-    Ok(reduced.self_adjoint_eigenvalues(Side::Lower)?)
+    reduced
 }

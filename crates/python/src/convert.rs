@@ -229,6 +229,7 @@ impl From<BuiltInWall> for sim::Wall {
 pub fn method(name: &str, transform: Transform, elements: FiniteElement) -> PyResult<Method> {
     let all = [
         Method::Held,
+        Method::Poles,
         Method::Quadrature,
         Method::Hilbert(transform),
         Method::FiniteElement(elements),

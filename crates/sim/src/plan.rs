@@ -29,11 +29,12 @@
 //! ```
 
 use linear::budget::{Budget, Need, OutOfBudget, REAL, What};
-use linear::{ChannelResponses, Method, Responses, SteppedPlan};
+use linear::{ChannelResponses, Method, PolePlan, Responses, SteppedPlan};
 
 use crate::laws::cutting::{CutStep, Face, MOST_PROFILES};
 use crate::limited_drive::LimitedDrive;
 use crate::line::pieces::{Pieces, Sums};
+use crate::line::poles::Poles;
 use crate::line::{Bending, Torsion};
 use crate::shortcuts::BitAlone;
 use crate::surface::SurfaceResponse;
@@ -45,8 +46,8 @@ use crate::watch::torsion::BitWatch;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SimulatorPlan {
     line: Line,
-    /// Sites that bend by responses, and the taps of these.
-    bending: Option<(usize, usize)>,
+    /// Sites that bend, and by what.
+    bending: Option<(usize, Bends)>,
     /// Taps of axial motion, where the bit cuts.
     axial: Option<usize>,
     /// Whether its responses are known to be the same in both directions.
@@ -81,6 +82,15 @@ enum Line {
         taps: usize,
         sums: Sums,
     },
+}
+
+/// What sites bend by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Bends {
+    /// Responses of a number of taps.
+    Taps(usize),
+    /// A number of poles at most.
+    Poles(f64),
 }
 
 /// Inputs and taps of a channel.
@@ -154,7 +164,16 @@ impl SimulatorPlan {
     #[must_use]
     pub fn bending_by(self, sites: usize, taps: usize) -> Self {
         Self {
-            bending: Some((sites, taps)),
+            bending: Some((sites, Bends::Taps(taps))),
+            ..self
+        }
+    }
+
+    /// The same, which bends at the sites of poles ([`crate::Simulator::bending_by_poles`]).
+    #[must_use]
+    pub fn bending_by_poles(self, sites: usize, plan: &PolePlan) -> Self {
+        Self {
+            bending: Some((sites, Bends::Poles(plan.most_poles()))),
             ..self
         }
     }
@@ -203,8 +222,9 @@ impl SimulatorPlan {
     }
 
     fn need(&self) -> Need {
-        let bending = self.bending.map_or(0.0, |(sites, taps)| {
-            Bending::bytes_of_taps(sites, taps, self.is_reciprocal)
+        let bending = self.bending.map_or(0.0, |(sites, by)| match by {
+            Bends::Taps(taps) => Bending::bytes_of_taps(sites, taps, self.is_reciprocal),
+            Bends::Poles(poles) => Bending::bytes_of_poles(sites, poles),
         });
         let line = match self.line {
             Line::Taps { sites, loads, taps } => {
@@ -264,9 +284,12 @@ impl SimulatorPlan {
             }
             Line::Pieces { nodes, taps, sums } => Pieces::past_bytes(nodes, taps, steps, sums),
         };
-        let bending = self
-            .bending
-            .map(|(sites, taps)| Bending::past_bytes(sites, taps, steps));
+        let bending = self.bending.map(|(sites, by)| match by {
+            Bends::Taps(taps) => Bending::past_bytes(sites, taps, steps),
+            Bends::Poles(poles) => {
+                Bending::load_bytes(sites, steps) + Poles::motion_bytes(sites, poles)
+            }
+        });
         let along = self
             .axial
             .map(|taps| Torsion::past_bytes(1, taps, steps) + Face::bytes(MOST_PROFILES, steps));

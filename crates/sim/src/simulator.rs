@@ -44,7 +44,7 @@
 mod case;
 mod watchers;
 
-use linear::{Cascade, Responses, SteppedString};
+use linear::{BendingPoles, Cascade, Responses, Sites, SteppedString};
 
 use crate::error::SimulationError;
 use crate::laws::contact::WallLaw;
@@ -134,6 +134,22 @@ impl Simulator {
             follows_torque,
             ..self
         }
+    }
+
+    /// The same, which bends by the poles of its sites.
+    ///
+    /// # Errors
+    /// As [`System::bending_by_poles`].
+    pub fn bending_by_poles(
+        self,
+        poles: &BendingPoles,
+        sites: &Sites,
+    ) -> Result<Self, SimulationError> {
+        Ok(Self {
+            system: self.system.bending_by_poles(poles, sites)?,
+            bit_alone: None,
+            ..self
+        })
     }
 
     /// The same with a mud motor between the string's end and the bit, below which no step is left

@@ -1,6 +1,6 @@
 //! The linear part as all cases share it: lines ready to step against.
 
-use linear::{Cascade, ChannelResponses, ResponseError, Responses, Sites, SteppedString};
+use linear::{BendingPoles, Cascade, ChannelResponses, ResponseError, Responses, Sites, SteppedString};
 
 use crate::convolution::Kernel;
 use crate::error::SimulationError;
@@ -173,23 +173,47 @@ impl System {
         if sampling(responses) != self.sampling {
             return Err(SimulationError::UnlikeSteps);
         }
+        let own = responses.sites.distances_from_bit();
+        let walls = self.ports_at(bending.loads.iter().map(|&site| own[site]))?;
+        Ok(Self {
+            walls: WallPorts::new(walls, self.torsion.loaded().len()),
+            from_forces: Some(Channel::of_taps(&bending.driving_points())),
+            springs: responses.sites.springs().to_vec(),
+            masses: responses.sites.masses().to_vec(),
+            ..self
+        })
+    }
+
+    /// The same, which bends by the poles of all its sites, each of which may have a wall.
+    ///
+    /// # Errors
+    /// Where these are not as many as the ports at which torques act, or those of other sites.
+    pub fn bending_by_poles(self, poles: &BendingPoles, sites: &Sites) -> Result<Self, SimulationError> {
+        if poles.sites() != sites.len() {
+            return Err(ResponseError::OtherSites.into());
+        }
+        Ok(Self {
+            walls: WallPorts::new(self.ports_at(sites.distances_from_bit().iter().copied())?, self.torsion.loaded().len()),
+            from_forces: Some(Channel::of_poles(poles)),
+            springs: sites.springs().to_vec(),
+            masses: sites.masses().to_vec(),
+            ..self
+        })
+    }
+
+    /// The ports at distances from the bit, m.
+    fn ports_at(
+        &self,
+        distances: impl Iterator<Item = f64>,
+    ) -> Result<Vec<usize>, SimulationError> {
         let ports = self.torsion.loaded();
         let places = self.sites.distances_from_bit();
         let port_at = |distance: f64| {
             let is_there = |site: &usize| (places[*site] - distance).abs() <= SAME_PLACE;
             ports.iter().position(is_there)
         };
-        let own = responses.sites.distances_from_bit();
-        let walls: Option<Vec<usize>> = (bending.loads.iter())
-            .map(|&site| port_at(own[site]))
-            .collect();
-        Ok(Self {
-            walls: WallPorts::new(walls.ok_or(SimulationError::UnlikeChannels)?, ports.len()),
-            from_forces: Some(Channel::of_taps(&bending.driving_points())),
-            springs: responses.sites.springs().to_vec(),
-            masses: responses.sites.masses().to_vec(),
-            ..self
-        })
+        let found: Option<Vec<usize>> = distances.map(port_at).collect();
+        found.ok_or(SimulationError::UnlikeChannels)
     }
 
     /// The same, which moves along its axis by responses of its bit, as a surface that reaches its

@@ -5,6 +5,7 @@ use linear::{Budget, BuildError, ChannelRequest, MarginPlan, Request, ResponsePl
 use sim::SimulatorPlan;
 
 use super::limited;
+use super::poles;
 use super::rubbing;
 use super::stepped::{self, stepped_by};
 use super::system_plan::{Stepping, SystemPlan};
@@ -18,7 +19,7 @@ pub(super) fn ask(plan: &SystemPlan, budget: &Budget) -> Result<Stepping, BuildE
     if let Some((lateral, parameters)) = stepped_by(plan.setting, plan.method) {
         return stepped::ask(plan, lateral, &parameters, budget);
     }
-    let request = plan.request();
+    let request = plan.request_of_taps();
     let responses = ResponsePlan::new(&plan.setting.string, plan.method, &request)?;
     ask_for_responses(plan, (&request, &responses), budget)
 }
@@ -36,9 +37,9 @@ pub(super) fn ask_for_responses(
     let (sites, loads) = (request.sites.len(), loads(request));
     let (taps, bending_taps) = (responses.torsion_taps(), responses.bending_taps());
     let moves = |simulator: SimulatorPlan| {
-        let bends = match plan.setting.lateral {
-            None => simulator,
-            Some(_) => {
+        let bends = match bending_taps {
+            0 => simulator,
+            _ => {
                 let lies = plan.setting.lying.is_some();
                 simulator.bending_by(sites, bending_taps).lying(lies)
             }
@@ -48,7 +49,7 @@ pub(super) fn ask_for_responses(
             Some(_) => bends.moving_along_by(responses.axial_taps()),
         }
     };
-    let stepping = match &plan.setting.friction {
+    let mut stepping = match &plan.setting.friction {
         Some(friction) => rubbing::ask(plan, friction, moves, budget)?,
         None => {
             let simulator = SimulatorPlan::by_responses(sites, loads, taps, plan.steps());
@@ -69,9 +70,10 @@ pub(super) fn ask_for_responses(
     if plan.setting.cutting.is_some() {
         MarginPlan::in_torsion(1, responses.axial_taps()).ask(budget)?;
     }
-    if plan.setting.lateral.is_some() {
+    if bending_taps > 0 {
         MarginPlan::in_bending(plan.method, sites, bending_taps).ask(budget)?;
     }
+    stepping.simulator = poles::ask(plan, stepping.simulator, budget)?;
     Ok(stepping)
 }
 

@@ -35,6 +35,7 @@ mod limited;
 mod longer;
 mod memory;
 mod nearby;
+mod poles;
 mod rubbing;
 mod run_options;
 mod shard;

@@ -141,7 +141,7 @@ pub(super) fn build(
             }
         }
     };
-    let system = match &setting.lateral {
+    let system = match responses.bending() {
         None => system,
         Some(_) => system.bending_by(responses)?,
     };

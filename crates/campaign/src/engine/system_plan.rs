@@ -4,6 +4,7 @@
 use linear::{ChannelRequest, Method, Request};
 use sim::{SimulatorPlan, plan};
 
+use super::poles;
 use crate::plan::Setting;
 
 /// The linear system of one method before it is built.
@@ -36,6 +37,11 @@ impl SystemPlan<'_> {
     /// Steps of its longest case.
     pub(super) fn steps(&self) -> f64 {
         plan::steps(self.longest_time, self.setting.sampling_frequency)
+    }
+
+    /// What the responses are built from that all its loads act on.
+    pub(super) fn request_of_taps(&self) -> Request {
+        poles::without_bending(self.request(), self.method)
     }
 
     /// What its responses are built from.

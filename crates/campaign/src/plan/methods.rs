@@ -65,6 +65,10 @@ pub fn resolve(
     for (index, name) in content.methods.iter().enumerate() {
         let is_double = content.methods[..index].contains(name);
         source.refuse_if(is_double, &format!("methods[{index}]"), "is named twice")?;
+        let bends = content.wall.is_some();
+        let message = "`poles` are those of a string that bends, and there is no [wall]: `held`";
+        let is_idle = *name == MethodName::Poles && !bends;
+        source.refuse_if(is_idle, &format!("methods[{index}]"), message)?;
         let needs_damping = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);
         for (channel, has_none, key) in [
             (
@@ -125,6 +129,7 @@ fn method(content: &FileContent, name: MethodName) -> Method {
         MethodName::Held => Method::Held,
         MethodName::Quadrature => Method::Quadrature,
         MethodName::FiniteElement => Method::FiniteElement(content.method.finite_element),
+        MethodName::Poles => Method::Poles,
         MethodName::DirectIdft => Method::DirectIdft(content.method.direct_idft),
         MethodName::Trapezoidal => Method::Trapezoidal,
     }

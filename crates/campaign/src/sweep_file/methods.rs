@@ -18,6 +18,8 @@ pub enum MethodName {
     Hilbert,
     /// Finite elements with Newmark's scheme.
     FiniteElement,
+    /// As `held`, but in bending by the poles of the string: for walls at many sites.
+    Poles,
     /// Counterexample: the plain inverse DFT, by which a sticking bit chatters.
     DirectIdft,
     /// Counterexample: convolution quadrature by the trapezoidal rule, by which the highest
@@ -39,6 +41,7 @@ impl MethodName {
             MethodName::Hilbert => "hilbert",
             MethodName::Quadrature => "quadrature",
             MethodName::FiniteElement => "finite-element",
+            MethodName::Poles => "poles",
             MethodName::DirectIdft => "direct-idft",
             MethodName::Trapezoidal => "trapezoidal",
         }
@@ -68,6 +71,7 @@ mod tests {
             Method::Quadrature,
             Method::Hilbert(Transform::default()),
             Method::FiniteElement(FiniteElement::default()),
+            Method::Poles,
             Method::DirectIdft(Transform::default()),
             Method::Trapezoidal,
         ];

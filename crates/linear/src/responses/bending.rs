@@ -5,7 +5,9 @@ use num_complex::Complex64;
 
 use super::channels::ChannelResponses;
 use super::drag_at_rest::DragAtRest;
-use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, transform_length};
+use super::length::{
+    MOST_TAPS, all_finite, needed_taps, samples_of, taps_of, too_many, transform_length,
+};
 use super::place_quantity::PlaceQuantity;
 use super::request::Request;
 use crate::assembly::lanes::Lanes;
@@ -23,6 +25,7 @@ use crate::filters::quadrature::{Formula, Sampling};
 use crate::filters::{Buffers, direct, held, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::{Ending, Reciprocity};
+use crate::poles::PolePlan;
 use crate::sites::{Sites, SitesAndPlaces};
 use crate::waves::lateral::BendingNetwork;
 
@@ -42,6 +45,8 @@ pub(super) struct BendingPlan<'a> {
     taps: usize,
     /// Of what they are made of.
     buffers: Buffers,
+    /// What makes them of it, where poles do.
+    poles: Option<PolePlan<'a>>,
 }
 
 /// What is wanted of a string that bends.
@@ -66,10 +71,7 @@ impl<'a> BendingPlan<'a> {
         wanted: Wanted,
     ) -> Result<Self, BuildError> {
         bending.check()?;
-        let needed = needed_taps(request.longest_time, request.sampling_frequency);
-        if needed > MOST_TAPS as f64 {
-            return Err(too_many(needed));
-        }
+        let taps = taps_of(request.longest_time, request.sampling_frequency)?;
         let sites = request.sites.len();
         let (pairs, channels) = match &wanted {
             Wanted::Displacements => {
@@ -85,9 +87,8 @@ impl<'a> BendingPlan<'a> {
                 (pairs, cut.places.len() * sites)
             }
         };
-        let taps = needed as usize;
         let buffers = match method {
-            Method::Held => held::smooth_buffers(taps, channels),
+            Method::Held | Method::Poles => held::smooth_buffers(taps, channels),
             Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
                 quadrature::buffers(taps, channels, Sampling::Close)
             }
@@ -99,6 +100,14 @@ impl<'a> BendingPlan<'a> {
                 let length = transform_length_of(string, method, bending, transform, request)?;
                 direct::buffers(length, channels)
             }
+        };
+        let poles = match (method, &wanted) {
+            (Method::Poles, Wanted::Displacements) => {
+                let frequency = request.sampling_frequency;
+                let bends = (bending, support);
+                Some(PolePlan::new(string, bends, &request.sites, frequency)?)
+            }
+            _ => None,
         };
         if buffers.taps > MOST_TAPS {
             return Err(too_many(buffers.taps as f64));
@@ -113,6 +122,7 @@ impl<'a> BendingPlan<'a> {
             pairs,
             taps,
             buffers,
+            poles,
         })
     }
 
@@ -128,10 +138,17 @@ impl<'a> BendingPlan<'a> {
             Wanted::Displacements => (sites * sites, sites),
             Wanted::AtPlaces(_, cut) => (cut.places.len() * sites, cut.nodes.len()),
         };
-        let made = self.buffers.need(working_bytes(nodes, 4));
         let kept = REAL * (responses * self.taps) as f64;
+        let made = match &self.poles {
+            None => self.buffers.need(working_bytes(nodes, 4)),
+            Some(poles) => poles.need().then(Need::lasting(kept)),
+        };
         match self.method {
-            Method::Held | Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
+            Method::Held
+            | Method::Poles
+            | Method::Quadrature
+            | Method::Trapezoidal
+            | Method::FiniteElement(_) => {
                 Need {
                     peak: made.peak.max(kept),
                     kept,
@@ -229,8 +246,13 @@ impl<'a> BendingPlan<'a> {
                 });
             }
         };
+        if let Some(poles) = &self.poles {
+            let poles = poles.build(&Budget::unlimited())?;
+            let of_pair = |(output, input): &Pair| poles.taps(*output, *input, needed);
+            return Ok(self.pairs.iter().map(of_pair).collect());
+        }
         Ok(match self.method {
-            Method::Held => {
+            Method::Held | Method::Poles => {
                 let taps = held::smooth_taps(frequency, needed, count, &velocity);
                 at_mid_step(integrate(taps, needed, frequency))
             }

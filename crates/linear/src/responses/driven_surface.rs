@@ -75,7 +75,7 @@ impl IntegralRule {
         let step = sampling_frequency.recip();
         Ok(Some(match method {
             // Means over a step, and exact at its ends.
-            Method::Held | Method::Trapezoidal => Self {
+            Method::Held | Method::Poles | Method::Trapezoidal => Self {
                 of_values: [0.5 * step, 0.5 * step, 0.0],
                 of_integrals: [1.0, 0.0],
             },

@@ -67,3 +67,15 @@ pub(super) fn all_finite(channels: &[Vec<f64>], method: &Method) -> Result<(), B
         })
     }
 }
+/// Taps of responses that are as long as a simulation (s).
+///
+/// # Errors
+/// Where these are more than are kept.
+pub(crate) fn taps_of(longest_time: f64, sampling_frequency: f64) -> Result<usize, BuildError> {
+    let needed = needed_taps(longest_time, sampling_frequency);
+    if needed > MOST_TAPS as f64 {
+        return Err(too_many(needed));
+    }
+    Ok(needed as usize)
+}
+

@@ -147,7 +147,7 @@ impl Responses {
             (Method::Hilbert(_) | Method::DirectIdft(_), _) => Ending::Whole,
             // It takes nothing from the string's own highest frequencies, which ring on as long as
             // others: cut off at once, they would ripple about what they are.
-            (Method::Held, Ending::Cut) => Ending::Ringing,
+            (Method::Held | Method::Poles, Ending::Cut) => Ending::Ringing,
             (_, ending) => ending,
         }
     }

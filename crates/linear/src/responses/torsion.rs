@@ -71,11 +71,11 @@ impl<'a> TorsionPlan<'a> {
             Rounds::new(string, request, continuing, (channels, on_thread)).map(Lengths::Rounds)
         };
         let lengths = match (method, trains) {
-            (Method::Held, Some(trains)) => {
+            (Method::Held | Method::Poles, Some(trains)) => {
                 trains.check(string, request, wanted.torques())?;
                 Lengths::Known(trains)
             }
-            (Method::Held, None) => {
+            (Method::Held | Method::Poles, None) => {
                 Lengths::Trains(Box::new(TrainsPlan::new(string, request, wanted)?))
             }
             (Method::Quadrature, _) => rounds(Scheme::BackwardDifferences)?,

@@ -1,9 +1,11 @@
 //! The linear part in one channel, between the sites that loads act on: what they do within
 //! their step, and how what they did before is remembered.
 
+use linear::BendingPoles;
 use linear::budget::REAL;
 use linear::elements::stepped::{SteppedChannel, SteppedMotion};
 
+use super::poles::{Poles, PolesPast};
 use crate::convolution::{Convolution, Kernels};
 use crate::surface::SurfaceResponse;
 
@@ -38,6 +40,8 @@ enum Memory<const FREEDOMS: usize, const PLANES: usize> {
     Taps(Kernels),
     /// Finite elements, whose motion goes from step to step.
     Mesh(SteppedChannel<FREEDOMS, PLANES>),
+    /// Poles that all sites share.
+    Poles(Poles),
 }
 
 /// The loads of a case so far.
@@ -45,6 +49,7 @@ enum Memory<const FREEDOMS: usize, const PLANES: usize> {
 pub(crate) enum Past<'a, const FREEDOMS: usize, const PLANES: usize> {
     Taps(Convolution<'a>),
     Mesh(MeshPast<'a, FREEDOMS, PLANES>),
+    Poles(PolesPast<'a, PLANES>),
 }
 
 /// The same of a mesh.
@@ -66,6 +71,11 @@ impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
     /// Bytes without those of a mesh.
     pub(crate) fn instant_bytes(sites: usize) -> f64 {
         REAL * (sites * sites) as f64
+    }
+
+    /// Bytes of a number of poles.
+    pub(crate) fn bytes_of_poles(sites: usize, poles: f64) -> f64 {
+        Poles::bytes(sites, poles) + Self::instant_bytes(sites)
     }
 
     /// Bytes of the past of a number of steps, with responses of a number of taps.
@@ -97,11 +107,20 @@ impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
         }
     }
 
+    /// Of poles.
+    pub(crate) fn of_poles(poles: &BendingPoles) -> Self {
+        Self {
+            sites: poles.sites(),
+            instants: of_pairs(poles.sites(), |output, input| poles.instant(output, input)),
+            memory: Memory::Poles(Poles::new(poles)),
+        }
+    }
+
     /// Its responses, where it is remembered by these.
     pub(crate) fn kernels(&self) -> Option<&Kernels> {
         match &self.memory {
             Memory::Taps(kernels) => Some(kernels),
-            Memory::Mesh(_) => None,
+            Memory::Mesh(_) | Memory::Poles(_) => None,
         }
     }
 
@@ -134,6 +153,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
                 motion: mesh.rest(),
                 loads: vec![Vec::with_capacity(steps); PLANES * self.sites],
             }),
+            Memory::Poles(poles) => Past::Poles(poles.past(steps)),
         }
     }
 }
@@ -154,6 +174,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Past<'_, FREEDOMS, PLANES> {
         match self {
             Self::Taps(convolution) => convolution.write_past(sums),
             Self::Mesh(past) => past.mesh.write_free(&past.motion, sums),
+            Self::Poles(past) => past.write_past(sums),
         }
     }
 
@@ -163,6 +184,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Past<'_, FREEDOMS, PLANES> {
         match self {
             Self::Taps(convolution) => convolution.add(loads),
             Self::Mesh(past) => past.add(loads),
+            Self::Poles(past) => past.add(loads),
         }
     }
 
@@ -171,6 +193,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Past<'_, FREEDOMS, PLANES> {
         match self {
             Self::Taps(convolution) => convolution.inputs(plane, site),
             Self::Mesh(past) => &past.loads[plane * past.mesh.sites() + site],
+            Self::Poles(past) => past.loads(plane, site),
         }
     }
 
@@ -179,7 +202,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Past<'_, FREEDOMS, PLANES> {
     pub(crate) fn next_block(&self) -> Option<&[f64]> {
         match self {
             Self::Taps(convolution) => convolution.next_block(),
-            Self::Mesh(_) => None,
+            Self::Mesh(_) | Self::Poles(_) => None,
         }
     }
 
@@ -187,7 +210,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Past<'_, FREEDOMS, PLANES> {
     pub(crate) fn push_quiet_block(&mut self) {
         match self {
             Self::Taps(convolution) => convolution.push_quiet_block(),
-            Self::Mesh(_) => {}
+            Self::Mesh(_) | Self::Poles(_) => {}
         }
     }
 }

@@ -7,11 +7,13 @@
 //! |---|---|---|
 //! | impulse responses ([`channel`]) | summed over all loads so far (Eq. 17) | every port feels every other |
 //! | finite elements that are stepped ([`channel`]) | the motion of all nodes | the same |
+//! | poles that all sites share ([`poles`]) | a number for each | the same |
 //! | pieces between the ports ([`pieces`]) | waves on their way | a port feels its neighbours |
 
 pub(crate) mod chain;
 pub(crate) mod channel;
 pub(crate) mod pieces;
+pub(crate) mod poles;
 pub(crate) mod torsion;
 pub(crate) mod walls;
 mod waves;

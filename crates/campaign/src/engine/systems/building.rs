@@ -14,6 +14,7 @@ use super::MethodSystem;
 use crate::engine::dry_run;
 use crate::engine::finer::finer_frequency;
 use crate::engine::limited;
+use crate::engine::poles;
 use crate::engine::rubbing;
 use crate::engine::stepped::{self, stepped_by};
 use crate::engine::stopwatch::Stopwatch;
@@ -179,7 +180,7 @@ impl<'a> Recipe<'a> {
                 stepped::build(setting, lateral, &parameters, longest_time, &budget)?;
             return MethodSystem::with(setting, responses, simulator, (start, &budget));
         }
-        let request = plan.request();
+        let request = plan.request_of_taps();
         let before = self.request_before();
         let planned = self.response_plan(&request, before.as_ref())?;
         let asked = (&request, &planned);
@@ -208,7 +209,7 @@ impl<'a> Recipe<'a> {
             longest_time: earlier.responses.longest_time,
             ..self.plan()
         };
-        has_responses.then(|| (earlier, before.request()))
+        has_responses.then(|| (earlier, before.request_of_taps()))
     }
 
     fn response_plan<'b>(
@@ -284,22 +285,25 @@ impl MethodSystem {
 
     fn with(
         setting: &Setting,
-        responses: Responses,
+        mut responses: Responses,
         simulator: Simulator,
         (begun, budget): (Stopwatch, &Budget),
     ) -> Result<Self> {
-        let build_seconds = begun.seconds();
+        let of_taps = begun.seconds();
+        let [torsion_margin, by_taps] = responses.margins(budget)?;
+        let axial_margin = responses.axial_margin()?;
+        let begun = Stopwatch::start();
+        let (simulator, by_poles) = poles::build(setting, simulator, &mut responses, budget)?;
+        let build_seconds = of_taps + begun.seconds();
         let simulator = match setting.motor {
             None => simulator,
             Some(motor) => simulator.above_motor(motor)?,
         };
         let reaches = reaches(setting, &responses);
-        let [torsion_margin, bending_margin] = responses.margins(budget)?;
-        let axial_margin = responses.axial_margin()?;
         Ok(Self {
             method: responses.method,
             torsion_margin,
-            bending_margin,
+            bending_margin: by_poles.or(by_taps),
             axial_margin,
             least_impulses: least_impulses(setting, &reaches),
             reaches,

@@ -1,0 +1,108 @@
+use super::*;
+use crate::bending::{Bending, SurfaceSupport};
+use crate::budget::Budget;
+use crate::drillstring::{Drillstring, Material, Section, Tube};
+use crate::method::Method;
+use crate::responses::{ChannelRequest, Request, responses};
+use crate::sites::Sites;
+
+const STEEL: Material = Material {
+    shear_modulus: 80e9,
+    density: 7840.0,
+};
+
+const FREQUENCY: f64 = 640.0;
+
+fn string() -> Drillstring {
+    let tube = |length: f64, outer_radius: f64| Tube {
+        length,
+        inner_radius: 0.05,
+        outer_radius,
+    };
+    let pipe = Section {
+        repeat: 5,
+        parts: vec![tube(9.0, 0.0635), tube(1.0, 0.085)],
+    };
+    let collars = Section {
+        repeat: 4,
+        parts: vec![tube(10.0, 0.1)],
+    };
+    Drillstring::new(STEEL, vec![pipe, collars], 10.0).unwrap()
+}
+
+fn bending(compression: f64) -> Bending {
+    Bending {
+        youngs_modulus: 210e9,
+        damping: 200.0,
+        compression,
+    }
+}
+
+fn poles(
+    bending: &Bending,
+    support: SurfaceSupport,
+    sites: &Sites,
+) -> Result<BendingPoles, BuildError> {
+    let string = string();
+    PolePlan::new(&string, (bending, support), sites, FREQUENCY)?.build(&Budget::unlimited())
+}
+
+/// Largest difference to taps by [`Method::Held`] of 3 s, as a part of the largest tap of the sites
+/// themselves, and of A(0) in the same way.
+fn difference(bending: Bending, support: SurfaceSupport, sites: &Sites) -> [f64; 2] {
+    let found = poles(&bending, support, sites).unwrap();
+    assert!(found.margin() > -1e-9, "{}", found.margin());
+    let request = Request {
+        sites: sites.clone(),
+        channels: vec![ChannelRequest::Bending { bending, support }],
+        sampling_frequency: FREQUENCY,
+        longest_time: 3.0,
+    };
+    let held = responses(&string(), &Method::Held, &request).unwrap();
+    let taps = |output, input| held.bending().unwrap().taps_between(input, output).unwrap();
+    let largest = |site| {
+        let taps: &[f64] = taps(site, site);
+        taps.iter().fold(0.0f64, |most, tap| most.max(tap.abs()))
+    };
+    let mut worst = [0.0f64; 2];
+    for output in 0..sites.len() {
+        for input in 0..sites.len() {
+            let expected = taps(output, input);
+            let both = found.taps(output, input, expected.len());
+            let differences = both.iter().zip(expected).map(|(one, other)| one - other);
+            let scale = (largest(output) * largest(input)).sqrt();
+            let off = differences.fold(0.0f64, |most, it| most.max(it.abs())) / scale;
+            let own = (expected[0] * taps(output, output)[0]).abs().max(1e-30);
+            let first = (both[0] - expected[0]).abs() / own.sqrt().max(taps(input, input)[0]);
+            worst = [worst[0].max(off), worst[1].max(first)];
+        }
+    }
+    worst
+}
+
+/// Between sites of a string that is pinned, or hangs from a clamp, or rests on springs, poles answer as
+/// the whole string does; so they do where nothing holds it, and it drifts.
+#[test]
+fn poles_answer_as_the_string() {
+    let sites = |distances: &[f64]| Sites::new(&string(), distances).unwrap();
+    let four = sites(&[60.0, 33.0, 12.0, 0.0]);
+    let on_springs = four.clone().held_by(vec![3e5; 4]).unwrap();
+    for (compression, support, sites, most) in [
+        (-5e4, SurfaceSupport::Pinned, &four, 4e-3),
+        (-1e4, SurfaceSupport::Clamped, &four, 4e-3),
+        (1.5e4, SurfaceSupport::Pinned, &on_springs, 8e-3),
+        (0.0, SurfaceSupport::Pinned, &four, 4e-3),
+        (0.0, SurfaceSupport::Free, &four, 4e-3),
+        (-5e4, SurfaceSupport::Free, &four, 4e-3),
+    ] {
+        let found = difference(bending(compression), support, sites);
+        assert!(found[0] < most && found[1] < 1e-8, "{found:?}");
+    }
+}
+
+#[test]
+fn a_string_that_buckles_has_no_poles() {
+    let sites = Sites::new(&string(), &[60.0, 0.0]).unwrap();
+    let found = poles(&bending(1.5e4), SurfaceSupport::Pinned, &sites);
+    assert!(matches!(found, Err(BuildError::Buckles)), "{found:?}");
+}
