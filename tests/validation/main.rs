@@ -10,6 +10,7 @@ mod limited_drive_labels;
 mod on_bottom;
 mod paper_lateral;
 mod paper_torsion;
+mod poles_labels;
 mod recorded_start;
 mod recorded_well;
 mod rows;

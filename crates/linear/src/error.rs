@@ -396,7 +396,9 @@ pub enum BuildError {
         margin: f64,
     },
     /// A string buckles without what holds its sites: its poles would grow.
-    #[error("poles are those of a string that does not buckle by itself: take finite-element, or hold its sites")]
+    #[error(
+        "poles are those of a string that does not buckle by itself: take finite-element, or hold its sites"
+    )]
     Buckles,
     /// A response is not a number, because the string's constants are extreme.
     #[error("the response by {method} is not finite")]

@@ -139,6 +139,7 @@ pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;
 pub use num_complex::Complex64;
 pub use numerics::fft;
+pub use poles::{BendingPoles, PolePlan};
 pub use pulse::RaisedCosine;
 pub use responses::{
     ChannelRequest, ChannelResponses, DrivenSurface, DrivenSurfacePlan, Earlier, ImpulseTrains,
@@ -147,7 +148,6 @@ pub use responses::{
 };
 pub use sites::Sites;
 pub use steady::{GrowingTorque, SteadyMotion};
-pub use poles::{BendingPoles, PolePlan};
 pub use stepped::{SteppedPlan, SteppedString};
 pub use stress::Stress;
 pub use surroundings::{AxialForce, Hole, HoleSection, Mud};

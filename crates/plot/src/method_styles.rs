@@ -1,15 +1,16 @@
 //! The style of methods: one has the same colour in every picture.
 
 use super::LineStyle;
-use super::colours::{BLACK, BLUE, Colour, DARK_GREY, GREEN, ORANGE, PURPLE, RED, SKY_BLUE};
+use super::colours::{BLACK, BLUE, Colour, DARK_GREY, GREEN, ORANGE, PLUM, PURPLE, RED, SKY_BLUE};
 
 /// The colours of methods, and of exact responses. Those of the four that draw limits on maps
 /// differ from the colours of symbols.
-const METHODS: [(&str, Colour); 8] = [
+const METHODS: [(&str, Colour); 9] = [
     ("held", BLACK),
     ("quadrature", GREEN),
     ("finite-element", RED),
     ("hilbert", PURPLE),
+    ("poles", PLUM),
     ("trapezoidal", SKY_BLUE),
     ("direct-idft", ORANGE),
     ("radau-quadrature", BLUE),

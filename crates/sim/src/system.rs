@@ -1,6 +1,8 @@
 //! The linear part as all cases share it: lines ready to step against.
 
-use linear::{BendingPoles, Cascade, ChannelResponses, ResponseError, Responses, Sites, SteppedString};
+use linear::{
+    BendingPoles, Cascade, ChannelResponses, ResponseError, Responses, Sites, SteppedString,
+};
 
 use crate::convolution::Kernel;
 use crate::error::SimulationError;
@@ -188,12 +190,19 @@ impl System {
     ///
     /// # Errors
     /// Where these are not as many as the ports at which torques act, or those of other sites.
-    pub fn bending_by_poles(self, poles: &BendingPoles, sites: &Sites) -> Result<Self, SimulationError> {
+    pub fn bending_by_poles(
+        self,
+        poles: &BendingPoles,
+        sites: &Sites,
+    ) -> Result<Self, SimulationError> {
         if poles.sites() != sites.len() {
             return Err(ResponseError::OtherSites.into());
         }
         Ok(Self {
-            walls: WallPorts::new(self.ports_at(sites.distances_from_bit().iter().copied())?, self.torsion.loaded().len()),
+            walls: WallPorts::new(
+                self.ports_at(sites.distances_from_bit().iter().copied())?,
+                self.torsion.loaded().len(),
+            ),
             from_forces: Some(Channel::of_poles(poles)),
             springs: sites.springs().to_vec(),
             masses: sites.masses().to_vec(),

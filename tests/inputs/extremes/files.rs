@@ -116,6 +116,7 @@ fn head(random: &mut Random, drawn: &mut Drawn) -> String {
             "quadrature",
             "hilbert",
             "finite-element",
+            "poles",
             "trapezoidal",
             "direct-idft",
         ];

@@ -1,7 +1,9 @@
 //! Bending by the poles of a string, where its method has them.
 
 use anyhow::Result;
-use linear::{BendingPoles, Budget, BuildError, ChannelRequest, Method, PolePlan, Request, Responses};
+use linear::{
+    BendingPoles, Budget, BuildError, ChannelRequest, Method, PolePlan, Request, Responses,
+};
 use sim::{Simulator, SimulatorPlan};
 
 use super::stepped::observed;

@@ -2,9 +2,10 @@
 
 use linear::method::{FiniteElement, Method};
 use linear::sampling::merged;
-use linear::{BuildError, Channel, Drillstring};
+use linear::{BuildError, Channel, Drillstring, PolePlan};
 
 use super::hole::mud_is_viscous;
+use super::setting::Setting;
 use crate::design::Design;
 use crate::quantities::{Axis, StringAxis};
 use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
@@ -39,6 +40,26 @@ pub fn usual_gamma(content: &FileContent) -> f64 {
         true => GAMMA_ABOVE_CUTTING,
         false => FiniteElement::default().gamma,
     }
+}
+
+/// Sites of a string that lies from which on it bends by poles where a file names no method: with fewer a
+/// step costs about the same by responses.
+const SITES_FOR_POLES: usize = 12;
+
+/// Whether a string bends by poles where a file names no method.
+pub fn is_by_poles(content: &FileContent, setting: &Setting) -> bool {
+    let Some(lateral) = &setting.lateral else {
+        return false;
+    };
+    // Others are said by names, or buckle.
+    let is_plain =
+        content.accuracy.is_none() && !content.certify && content.string_friction.is_none();
+    let (sites, frequency) = (&setting.sites, setting.sampling_frequency);
+    let bends = (&lateral.bending, lateral.support);
+    is_plain
+        && setting.lying.is_some()
+        && sites.len() > SITES_FOR_POLES
+        && PolePlan::new(&setting.string, bends, sites, frequency).is_ok()
 }
 
 /// The methods. Parameters of the others are checked too: finite elements draw the whole string for

@@ -149,6 +149,9 @@ impl Sweep {
         if has_elements && !source.gives_within(["method", "finite-element"], "gamma") {
             content.method.finite_element.gamma = methods::usual_gamma(&content);
         }
+        if !source.gives("methods") && methods::is_by_poles(&content, &setting) {
+            content.methods = vec![MethodName::Poles];
+        }
         string::check_axes(&source, &content, &design)?;
         if let Some(accuracy) = content.accuracy {
             let message = "with a bit that cuts and [wall], whose motion is often chaotic, no limit of whirl \

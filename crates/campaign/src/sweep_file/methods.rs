@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum MethodName {
-    /// Loads held over every step, answered exactly: the default.
+    /// Loads held over every step, answered exactly: the default but for strings that lie on more than 12 sites.
     Held,
     /// Convolution quadrature, BDF2.
     Quadrature,
@@ -18,7 +18,7 @@ pub enum MethodName {
     Hilbert,
     /// Finite elements with Newmark's scheme.
     FiniteElement,
-    /// As `held`, but in bending by the poles of the string: for walls at many sites.
+    /// As `held`, but in bending by the poles of the string: for walls at many sites, and the default there.
     Poles,
     /// Counterexample: the plain inverse DFT, by which a sticking bit chatters.
     DirectIdft,

@@ -140,7 +140,9 @@ impl BendingPoles {
         budget: &Budget,
     ) -> Result<(), BuildError> {
         let taps = taps_of(longest_time, sampling_frequency)?;
-        budget.reserve(REAL * (sites * loads * taps) as f64, What::Responses)?.keep();
+        budget
+            .reserve(REAL * (sites * loads * taps) as f64, What::Responses)?
+            .keep();
         Ok(())
     }
 

@@ -76,7 +76,10 @@ impl<'a> PolePlan<'a> {
         let kept = self.kept_bytes();
         let projected = COORDINATES * self.freedoms;
         let full = MATRICES * REAL * (self.freedoms * self.freedoms + projected * projected);
-        Need { peak: kept + full, kept }
+        Need {
+            peak: kept + full,
+            kept,
+        }
     }
 
     /// Bytes of the poles, at most.
@@ -105,7 +108,8 @@ impl<'a> PolePlan<'a> {
     pub fn build(&self, budget: &Budget) -> Result<BendingPoles, BuildError> {
         let working = budget.begin(self.need(), What::Elements)?;
         let mesh = Mesh::new(self.string, Channel::Bending, self.sites, ELEMENTS_PER_CELL)?;
-        let matrices = beam::assemble(self.string, self.bending, self.support, (&mesh, self.sites))?;
+        let matrices =
+            beam::assemble(self.string, self.bending, self.support, (&mesh, self.sites))?;
         let held = self.support.held();
         let places = mesh.site_nodes.iter().map(|node| 2 * node - held);
         let fastest = std::f64::consts::TAU * MODES_TO * self.sampling_frequency;

@@ -80,10 +80,12 @@ impl Projected {
                 flow[(row, column)] = exchanged - lost;
             }
         }
-        // Each state of energy one: what is left of them is compared.
-        let scales: Vec<f64> = (0..count)
-            .map(|it| energy[(it, it)].sqrt().recip())
-            .collect();
+        // Each state of energy one: what is left of them is compared. Some have none.
+        let scale = |it: usize| match energy[(it, it)] {
+            stored if stored > 0.0 => stored.sqrt().recip(),
+            _ => 0.0,
+        };
+        let scales: Vec<f64> = (0..count).map(scale).collect();
         let scaled = Mat::from_fn(count, count, |row, column| {
             0.5 * (energy[(row, column)] + energy[(column, row)]) * scales[row] * scales[column]
         });

@@ -127,7 +127,9 @@ impl Rates {
         let symmetric = Mat::from_fn(sites, sites, |row, column| {
             0.5 * step * (speeds[row * sites + column] + speeds[column * sites + row])
         });
-        let greatest = (0..sites).map(|site| own[site * (sites + 1)]).fold(0.0, f64::max);
+        let greatest = (0..sites)
+            .map(|site| own[site * (sites + 1)])
+            .fold(0.0, f64::max);
         let (values, vectors) = eigenvalues::of_symmetric_with_vectors(&symmetric)?;
         let first = values.partition_point(|value| *value <= LEAST_DRIFT * greatest * step);
         let drift = Mat::from_fn(sites, sites - first, |site, place| {

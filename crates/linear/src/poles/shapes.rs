@@ -55,7 +55,9 @@ impl Elements {
             .collect();
         let rates: Vec<f64> = self.drag.iter().map(|(rate, _)| *rate).collect();
         let bent = shapes.bent(&turning);
-        let at_sites = Mat::from_fn(sites, modes + sites, |site, shape| shapes.at_site(site, shape));
+        let at_sites = Mat::from_fn(sites, modes + sites, |site, shape| {
+            shapes.at_site(site, shape)
+        });
         let of_bent = &at_sites * &bent;
         let at_sites = Mat::from_fn(sites, modes + 3 * sites, |site, shape| {
             match shape.checked_sub(modes + sites) {
@@ -107,7 +109,10 @@ impl<'a> Shapes<'a> {
     /// What the matrices are between shapes.
     fn gram(&self) -> Gram {
         let (elements, modes) = (self.elements, self.squares.len());
-        let rest = self.columns.subcols(modes, self.columns.ncols() - modes).to_owned();
+        let rest = self
+            .columns
+            .subcols(modes, self.columns.ncols() - modes)
+            .to_owned();
         // Modes have nothing in common with one another, nor with what is left without them.
         let apart = |matrix: &Mat<f64>, of_mode: &dyn Fn(usize) -> f64| {
             let of_rest = gram_of(matrix, &rest);
@@ -124,9 +129,14 @@ impl<'a> Shapes<'a> {
         Gram {
             stiffness: apart(&elements.stiffness, &|mode| self.squares[mode]),
             mass: apart(&elements.mass, &|_| 1.0),
-            elastic: elements.elastic.as_ref().map(|it| gram_of(it, &self.columns)),
+            elastic: elements
+                .elastic
+                .as_ref()
+                .map(|it| gram_of(it, &self.columns)),
             dashpots: diagonal_gram(&elements.dashpots, &self.columns),
-            drag: of_drag.map(|(_, dashpots)| diagonal_gram(dashpots, &self.columns)).collect(),
+            drag: of_drag
+                .map(|(_, dashpots)| diagonal_gram(dashpots, &self.columns))
+                .collect(),
         }
     }
 
@@ -146,15 +156,17 @@ impl<'a> Shapes<'a> {
     /// Then what fades is bent otherwise than as they turn.
     fn bent(&self, turning: &[Option<Complex64>]) -> Mat<f64> {
         let sites = self.elements.places.len();
-        Mat::from_fn(self.columns.ncols(), 2 * sites, |shape, column| {
-            match turning.get(shape) {
+        Mat::from_fn(
+            self.columns.ncols(),
+            2 * sites,
+            |shape, column| match turning.get(shape) {
                 Some(Some(_)) if column < sites => {
                     self.at_site(column, shape) / self.squares[shape]
                 }
                 Some(Some(_)) => self.in_modes[(shape, column - sites)],
                 _ => 0.0,
-            }
-        })
+            },
+        )
     }
 }
 

@@ -148,12 +148,10 @@ impl<'a> BendingPlan<'a> {
             | Method::Poles
             | Method::Quadrature
             | Method::Trapezoidal
-            | Method::FiniteElement(_) => {
-                Need {
-                    peak: made.peak.max(kept),
-                    kept,
-                }
-            }
+            | Method::FiniteElement(_) => Need {
+                peak: made.peak.max(kept),
+                kept,
+            },
             // Taps are made of velocities, of more of them, which then go.
             Method::Hilbert(_) | Method::DirectIdft(_) => Need {
                 kept,

@@ -78,4 +78,3 @@ pub(crate) fn taps_of(longest_time: f64, sampling_frequency: f64) -> Result<usiz
     }
     Ok(needed as usize)
 }
-

@@ -173,8 +173,7 @@ impl<const FREEDOMS: usize, const PLANES: usize> Past<'_, FREEDOMS, PLANES> {
     pub(crate) fn write_past(&self, sums: &mut [f64]) {
         match self {
             Self::Taps(convolution) => convolution.write_past(sums),
-            Self::Mesh(past) => past.mesh.write_free(&past.motion, sums),
-            Self::Poles(past) => past.write_past(sums),
+            stepped => stepped.write_motion(sums),
         }
     }
 
@@ -183,6 +182,24 @@ impl<const FREEDOMS: usize, const PLANES: usize> Past<'_, FREEDOMS, PLANES> {
     pub(crate) fn add(&mut self, loads: &[f64]) {
         match self {
             Self::Taps(convolution) => convolution.add(loads),
+            stepped => stepped.step(loads),
+        }
+    }
+
+    /// The same where the past is a motion: apart, so that sums ask once what they are.
+    #[inline(never)]
+    fn write_motion(&self, sums: &mut [f64]) {
+        match self {
+            Self::Taps(_) => {}
+            Self::Mesh(past) => past.mesh.write_free(&past.motion, sums),
+            Self::Poles(past) => past.write_past(sums),
+        }
+    }
+
+    #[inline(never)]
+    fn step(&mut self, loads: &[f64]) {
+        match self {
+            Self::Taps(_) => {}
             Self::Mesh(past) => past.add(loads),
             Self::Poles(past) => past.add(loads),
         }

@@ -200,8 +200,7 @@ impl<const PLANES: usize> Step<'_, '_, PLANES> {
                     let load = simd.splat_f64s(self.loads[plane * poles.sites + site]);
                     for (added, input) in added.iter_mut().zip(input) {
                         for at in 0..AT_ONCE {
-                            added[at] =
-                                simd.add_f64s(added[at], simd.mul_f64s(input[at], load));
+                            added[at] = simd.add_f64s(added[at], simd.mul_f64s(input[at], load));
                         }
                     }
                 }

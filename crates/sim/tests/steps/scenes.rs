@@ -2,8 +2,8 @@
 //! that a system is built for few.
 
 use linear::{
-    Cascade, ChannelRequest, Drillstring, GrowingTorque, Material, Method, Request, Section, Sites,
-    SteadyMotion, SurfaceSupport, responses,
+    Budget, Cascade, ChannelRequest, Drillstring, GrowingTorque, Material, Method, PolePlan,
+    Request, Section, Sites, SteadyMotion, SurfaceSupport, responses,
 };
 use problems::academic::{self, BENDING, tube};
 use problems::dashpots::{BelowDashpots, pipe};
@@ -20,12 +20,13 @@ pub const LONGEST: f64 = 2.5;
 type Make = fn() -> (System, Scene);
 
 /// Names, with what makes each.
-pub const SCENES: [(&str, Make); 7] = [
+pub const SCENES: [(&str, Make); 8] = [
     ("bit_alone", bit_alone),
     ("one_wall", || walls((1, 45.0), &Method::Quadrature)),
     ("three_walls", || walls((3, 45.0), &Method::Quadrature)),
     ("three_walls_held", || walls((3, 45.0), &Method::Held)),
     ("22_walls", || walls((22, 4.5), &Method::Quadrature)),
+    ("22_walls_by_poles", || walls((22, 4.5), &Method::Poles)),
     ("cut", cut),
     ("pipe", pipe_friction),
 ];
@@ -89,7 +90,10 @@ fn walls((sites, apart): (usize, f64), method: &Method) -> (System, Scene) {
         sampling_frequency: 640.0,
         longest_time: LONGEST,
     };
-    let responses = responses(&string, method, &request).unwrap();
+    let system = match method {
+        Method::Poles => by_poles(&string, request),
+        _ => System::new(&responses(&string, method, &request).unwrap()).unwrap(),
+    };
     let mut scene = scene(std::f64::consts::TAU);
     let wall = Wall {
         clearance: 0.015,
@@ -111,7 +115,17 @@ fn walls((sites, apart): (usize, f64), method: &Method) -> (System, Scene) {
         lying: None,
         shocks: None,
     });
-    (System::new(&responses).unwrap(), scene)
+    (system, scene)
+}
+
+/// Such a system that bends by poles.
+fn by_poles(string: &Drillstring, mut request: Request) -> System {
+    let (bends, sites) = ((&BENDING, SurfaceSupport::Pinned), request.sites.clone());
+    let plan = PolePlan::new(string, bends, &sites, request.sampling_frequency).unwrap();
+    let poles = plan.build(&Budget::unlimited()).unwrap();
+    request.channels.truncate(1);
+    let turning = System::new(&responses(string, &Method::Held, &request).unwrap()).unwrap();
+    turning.bending_by_poles(&poles, &sites).unwrap()
 }
 
 /// A bit with uneven blades that cuts, kicked.

@@ -14,6 +14,7 @@ mod motor;
 mod own_law;
 mod own_regimes;
 mod pieces;
+mod poles;
 mod start;
 mod stepped;
 mod stribeck;
