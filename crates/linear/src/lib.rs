@@ -42,6 +42,7 @@
 //! | Section 2.4, Fig. 3: stability in sticking | [`passivity`] |
 //! | Section 3: finite elements, Newmark | [`elements`] |
 //! | the same stepped, for many sites | [`stepped`] |
+//! | the same by poles that all sites share | [`poles`] |
 //! | what takes energy, at any complex frequency: damping, viscous mud, material | [`loss`] |
 //! | Section 5.2.2: the band-limited impulse | [`pulse`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |

@@ -31,7 +31,7 @@
 //! | paper | here |
 //! |---|---|
 //! | Eqs. 16–17, 59–61: history and load lines | [`convolution`], [`stepper`] |
-//! | the same by stepping elements, or pieces | `line/`, [`linear::SteppedString`], [`linear::Cascade`] |
+//! | the same by stepping elements, poles, or pieces | `line/`, [`linear::SteppedString`], [`linear::BendingPoles`], [`linear::Cascade`] |
 //! | Eqs. 59–60 at all sites of a step at once | `coupling/` |
 //! | a drive that gives no more than its greatest torque | `limited_drive`, [`LimitedDrive`] |
 //! | friction along the string | [`laws::pipe`], [`Scene`] |

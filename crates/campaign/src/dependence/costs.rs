@@ -30,7 +30,7 @@ pub(super) struct Costs<'a> {
     case: f64,
     /// That of a system for all.
     system: f64,
-    /// What may be taken whatever the run takes.
+    /// What may be taken of any run.
     little: f64,
 }
 

@@ -1,9 +1,7 @@
 //! Bending by the poles of a string, where its method has them.
 
 use anyhow::Result;
-use linear::{
-    BendingPoles, Budget, BuildError, ChannelRequest, Method, PolePlan, Request, Responses,
-};
+use linear::{BendingPoles, Budget, BuildError, Method, PolePlan, Responses};
 use sim::{Simulator, SimulatorPlan};
 
 use super::stepped::observed;
@@ -18,19 +16,6 @@ fn plan<'a>(setting: &'a Setting, method: &Method) -> Result<Option<PolePlan<'a>
     let bends = (&lateral.bending, lateral.support);
     let frequency = setting.sampling_frequency;
     PolePlan::new(&setting.string, bends, &setting.sites, frequency).map(Some)
-}
-
-/// A request without what poles take the place of.
-pub(super) fn without_bending(request: Request, method: &Method) -> Request {
-    match method {
-        Method::Poles => Request {
-            channels: (request.channels.into_iter())
-                .filter(|it| !matches!(it, ChannelRequest::Bending { .. }))
-                .collect(),
-            ..request
-        },
-        _ => request,
-    }
 }
 
 /// Asks for what [`build`] takes; the simulator bends by poles, too.
@@ -57,7 +42,7 @@ pub(super) fn ask(
 }
 
 /// A simulator that bends by poles, where the method of its responses has them, and their margin; to the
-/// responses those are added that are looked at.
+/// responses those are added that are read.
 ///
 /// # Errors
 /// Where there are none, or more memory is needed than is left.

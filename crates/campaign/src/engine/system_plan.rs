@@ -4,7 +4,6 @@
 use linear::{ChannelRequest, Method, Request};
 use sim::{SimulatorPlan, plan};
 
-use super::poles;
 use crate::plan::Setting;
 
 /// The linear system of one method before it is built.
@@ -39,9 +38,14 @@ impl SystemPlan<'_> {
         plan::steps(self.longest_time, self.setting.sampling_frequency)
     }
 
-    /// What the responses are built from that all its loads act on.
+    /// What its responses are built from without bending by poles.
     pub(super) fn request_of_taps(&self) -> Request {
-        poles::without_bending(self.request(), self.method)
+        let mut request = self.request();
+        let is_by_poles = |channel: &ChannelRequest| {
+            *self.method == Method::Poles && matches!(channel, ChannelRequest::Bending { .. })
+        };
+        request.channels.retain(|channel| !is_by_poles(channel));
+        request
     }
 
     /// What its responses are built from.

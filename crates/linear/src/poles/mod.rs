@@ -45,12 +45,8 @@ pub use plan::PolePlan;
 use num_complex::Complex64;
 use numerics::{Mat, eigenvalues};
 
-use crate::budget::{Budget, COMPLEX, REAL, What};
-use crate::channel::Channel;
+use crate::budget::{COMPLEX, REAL};
 use crate::error::BuildError;
-use crate::passivity::Ending;
-use crate::responses::length::taps_of;
-use crate::responses::{ChannelResponses, Responses};
 
 /// A string that bends, in steps over which forces are held: the displacement of each site as the mean of
 /// those at both ends of a step. What is left of earlier steps is the real part of a sum over poles, each of
@@ -76,15 +72,12 @@ impl BendingPoles {
         COMPLEX * poles * (2.0 * sites + 1.0) + REAL * sites * sites
     }
 
-    /// The same with A(0) as others have it: what modes above those of the poles add to it, as far as it is
-    /// what springs add, which is passive.
-    fn nearer_to(mut self, held: &Responses) -> Result<Self, BuildError> {
+    /// The same with A(0), row by row, as others have it: what modes above those of the poles add to it, as far
+    /// as it is what springs add, which is passive.
+    fn nearer_to(mut self, held: &Mat<f64>) -> Result<Self, BuildError> {
         let sites = self.sites;
-        let bending = held.bending();
-        let first = |output, input| Some(bending?.taps_between(input, output)?[0]);
         let missing = Mat::from_fn(sites, sites, |row, column| {
-            let mean = 0.5 * (self.instant(row, column) + self.instant(column, row));
-            first(row, column).map_or(0.0, |held| held - mean)
+            held[(row, column)] - 0.5 * (self.instant(row, column) + self.instant(column, row))
         });
         let (values, vectors) = eigenvalues::of_symmetric_with_vectors(&missing)?;
         for (value, vector) in values.iter().zip(vectors.col_iter()) {
@@ -96,6 +89,11 @@ impl BendingPoles {
             }
         }
         Ok(self)
+    }
+
+    /// Steps a second, Hz.
+    pub fn sampling_frequency(&self) -> f64 {
+        self.sampling_frequency
     }
 
     /// Number of sites.
@@ -127,50 +125,6 @@ impl BendingPoles {
     /// them.
     pub fn margin(&self) -> f64 {
         self.margin
-    }
-
-    /// Asks a budget for responses of a number of sites to forces at a number of them, as long as a
-    /// simulation (s), in steps of a sampling frequency (Hz).
-    ///
-    /// # Errors
-    /// Where they would be too long, or that is more than is left.
-    pub fn ask_for_responses(
-        (sites, loads): (usize, usize),
-        (longest_time, sampling_frequency): (f64, f64),
-        budget: &Budget,
-    ) -> Result<(), BuildError> {
-        let taps = taps_of(longest_time, sampling_frequency)?;
-        budget
-            .reserve(REAL * (sites * loads * taps) as f64, What::Responses)?
-            .keep();
-        Ok(())
-    }
-
-    /// The responses of all sites to forces at some of them, by number, as long as a simulation, s.
-    ///
-    /// # Errors
-    /// Where a site does not exist, or they would be too long.
-    pub fn responses(
-        &self,
-        loads: &[usize],
-        longest_time: f64,
-    ) -> Result<ChannelResponses, BuildError> {
-        let sites = self.sites;
-        if let Some(&site) = loads.iter().find(|&&site| site >= sites) {
-            return Err(BuildError::NoSuchSite { site, sites });
-        }
-        let taps = taps_of(longest_time, self.sampling_frequency)?;
-        let row = |output| {
-            let of_load = |load: &usize| self.taps(output, *load, taps);
-            loads.iter().map(of_load).collect()
-        };
-        Ok(ChannelResponses {
-            channel: Channel::Bending,
-            loads: loads.to_vec(),
-            from_surface: Vec::new(),
-            from_loads: (0..sites).map(row).collect(),
-            ending: Ending::Cut,
-        })
     }
 
     /// The first taps from one site to another, m/N.

@@ -3,23 +3,31 @@
 use super::BendingPoles;
 use super::elements::Elements;
 use super::rates::Rates;
+use numerics::Mat;
+
+use crate::assembly::lanes::Lanes;
 use crate::bending::{Bending, SurfaceSupport};
 use crate::budget::{Budget, Need, REAL, What};
 use crate::channel::Channel;
+use crate::checks::check_sampling;
 use crate::drillstring::Drillstring;
 use crate::elements::beam;
 use crate::elements::mesh::{Mesh, most_elements};
 use crate::error::BuildError;
-use crate::method::Method;
-use crate::responses::{ChannelRequest, Request, ResponsePlan, Responses};
+use crate::filters::held;
 use crate::sites::Sites;
+use crate::waves::lateral::BendingNetwork;
 
 /// Modes that are taken up to this multiple of the sampling frequency: with those up to half of it taps are
 /// half as near to the string's again, with those up to all of it no nearer.
 const MODES_TO: f64 = 0.7;
 
-/// Elements in a cell of drillpipe.
-const ELEMENTS_PER_CELL: usize = 20;
+/// The longest element, m, at this sampling frequency, Hz: a fifth of a wave at the highest of the modes. Waves
+/// become shorter with the root of the frequency.
+const LONGEST_ELEMENT: (f64, f64) = (0.5, 640.0);
+
+/// No element is longer than this, m, at any.
+const LONGEST: f64 = 1.2;
 
 /// Elements, at most: the modes of twice as many degrees of freedom take some seconds.
 const MOST_ELEMENTS: usize = 1000;
@@ -39,6 +47,7 @@ pub struct PolePlan<'a> {
     support: SurfaceSupport,
     sites: &'a Sites,
     sampling_frequency: f64,
+    elements_per_cell: usize,
     /// At most.
     freedoms: f64,
 }
@@ -56,7 +65,11 @@ impl<'a> PolePlan<'a> {
     ) -> Result<Self, BuildError> {
         sites.check(string)?;
         bending.check()?;
-        let elements = most_elements(string, Channel::Bending, sites, ELEMENTS_PER_CELL);
+        check_sampling(sampling_frequency)?;
+        let (length, at) = LONGEST_ELEMENT;
+        let longest = (length * (at / sampling_frequency).sqrt()).min(LONGEST);
+        let elements_per_cell = (string.drillpipe().cell_length() / longest).ceil() as usize;
+        let elements = most_elements(string, Channel::Bending, sites, elements_per_cell);
         if elements > MOST_ELEMENTS as f64 {
             let most = MOST_ELEMENTS;
             return Err(BuildError::TooManyElements { elements, most });
@@ -67,6 +80,7 @@ impl<'a> PolePlan<'a> {
             support,
             sites,
             sampling_frequency,
+            elements_per_cell,
             freedoms: 2.0 * (elements + 1.0),
         })
     }
@@ -107,7 +121,12 @@ impl<'a> PolePlan<'a> {
     /// left.
     pub fn build(&self, budget: &Budget) -> Result<BendingPoles, BuildError> {
         let working = budget.begin(self.need(), What::Elements)?;
-        let mesh = Mesh::new(self.string, Channel::Bending, self.sites, ELEMENTS_PER_CELL)?;
+        let mesh = Mesh::new(
+            self.string,
+            Channel::Bending,
+            self.sites,
+            self.elements_per_cell,
+        )?;
         let matrices =
             beam::assemble(self.string, self.bending, self.support, (&mesh, self.sites))?;
         let held = self.support.held();
@@ -117,20 +136,28 @@ impl<'a> PolePlan<'a> {
         drop(matrices);
         let found = Rates::of(&projected)?.held(self.sampling_frequency)?;
         working.done();
-        found.nearer_to(&self.held(budget)?)
+        found.nearer_to(&self.held()?)
     }
 
-    /// The first response by [`Method::Held`] between all sites.
-    fn held(&self, budget: &Budget) -> Result<Responses, BuildError> {
-        let request = Request {
-            sites: self.sites.clone(),
-            channels: vec![ChannelRequest::Bending {
-                bending: *self.bending,
-                support: self.support,
-            }],
-            sampling_frequency: self.sampling_frequency,
-            longest_time: 0.0,
+    /// A(0) by [`Method::Held`](crate::Method::Held) between all sites, m/N.
+    fn held(&self) -> Result<Mat<f64>, BuildError> {
+        let network = BendingNetwork::new(self.string, *self.bending, self.support, self.sites)?;
+        let sites = self.sites.len();
+        let row = |row: usize| (0..=row).map(move |column| (row, column));
+        let pairs: Vec<(usize, usize)> = (0..sites).flat_map(row).collect();
+        let velocity = |s: Lanes, values: &mut [Lanes]| {
+            let receptance = network.receptance(s);
+            for (value, pair) in values.iter_mut().zip(&pairs) {
+                *value = s * receptance[*pair];
+            }
         };
-        ResponsePlan::new(self.string, &Method::Held, &request)?.build(&budget.part())
+        let speeds = held::smooth_taps(self.sampling_frequency, 1, pairs.len(), &velocity);
+        // A half of it in the middle of the step.
+        let mut first = Mat::zeros(sites, sites);
+        for ((row, column), speeds) in pairs.iter().zip(&speeds) {
+            first[(*row, *column)] = 0.5 * speeds[0] / self.sampling_frequency;
+            first[(*column, *row)] = first[(*row, *column)];
+        }
+        Ok(first)
     }
 }

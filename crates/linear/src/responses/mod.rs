@@ -35,6 +35,7 @@ mod driven_surface;
 mod earlier;
 pub(crate) mod length;
 mod margin;
+mod of_poles;
 mod place_quantity;
 mod places;
 mod plan;

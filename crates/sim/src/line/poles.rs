@@ -1,10 +1,9 @@
 //! Poles that all sites share, stepped: what loads so far left in them is all that is remembered.
 //!
-//! Sums have one order whatever the processor does at once: over sites for a pole, over poles for a site.
+//! Sums have one order, and do not depend on how many numbers a processor adds at once: over sites for a pole, over poles for a site.
 
-use linear::BendingPoles;
 use linear::budget::REAL;
-use num_complex::Complex64;
+use linear::{BendingPoles, Complex64};
 use pulp::{Arch, Simd, WithSimd};
 
 /// Rows have a multiple of this many numbers, which is [`AT_ONCE`] of what any processor adds at once.
@@ -13,7 +12,7 @@ const LANES: usize = 8;
 /// Vectors of a row that are done together, so that none waits for its own sum.
 const AT_ONCE: usize = 2;
 
-/// What is left of a pole below this is none, m: numbers that fade for ever become slow to add.
+/// What is left of a pole below this is left out, m: numbers that fade for ever become slow to add.
 const NOTHING: f64 = 1e-150;
 
 /// Two coordinates, as cases share them of poles: real and imaginary part of one that has a conjugate, or
