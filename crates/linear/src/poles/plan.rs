@@ -22,12 +22,9 @@ use crate::waves::lateral::BendingNetwork;
 /// half as near to the string's again, with those up to all of it no nearer.
 const MODES_TO: f64 = 0.7;
 
-/// The longest element, m, at this sampling frequency, Hz: a fifth of a wave at the highest of the modes. Waves
-/// become shorter with the root of the frequency.
+/// The longest element, m, up to this sampling frequency, Hz: beyond it waves become shorter with the root of
+/// the frequency.
 const LONGEST_ELEMENT: (f64, f64) = (0.5, 640.0);
-
-/// No element is longer than this, m, at any.
-const LONGEST: f64 = 1.2;
 
 /// Elements, at most: the modes of twice as many degrees of freedom take some seconds.
 const MOST_ELEMENTS: usize = 1000;
@@ -67,7 +64,7 @@ impl<'a> PolePlan<'a> {
         bending.check()?;
         check_sampling(sampling_frequency)?;
         let (length, at) = LONGEST_ELEMENT;
-        let longest = (length * (at / sampling_frequency).sqrt()).min(LONGEST);
+        let longest = length * (at / sampling_frequency).sqrt().min(1.0);
         let elements_per_cell = (string.drillpipe().cell_length() / longest).ceil() as usize;
         let elements = most_elements(string, Channel::Bending, sites, elements_per_cell);
         if elements > MOST_ELEMENTS as f64 {
