@@ -30,9 +30,9 @@ prop_compose! {
         radius in 0.07..0.11,
         clearance in 0.008..0.03,
         inclination in 25.0..90.0,
-        friction in 0.1..0.8,
+        friction in 0.1..1.5,
         speed in 40.0..200.0,
-        impulse in prop_oneof![Just(0.0), 50.0..2000.0],
+        impulse in prop_oneof![Just(0.0), 100.0..6000.0],
         viscosity in 1.0..40.0,
     ) -> String {
         let joint = radius + 0.008;
@@ -65,7 +65,7 @@ fn sweep(text: &str) -> Sweep {
         .unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// `STRINGS=8` for what the guide says; here is one.
+/// `STRINGS=30` of the seed 7701 and 33 of 7702 for what the guide says; here is one.
 #[test]
 fn val_labels_by_poles_are_those_of_held_at_twice_the_frequency() {
     let bytes: Vec<u8> = seed().to_le_bytes().repeat(4);
@@ -93,7 +93,7 @@ fn val_labels_by_poles_are_those_of_held_at_twice_the_frequency() {
         ];
         if both.iter().any(|it| *it != truth) {
             let sites = sweep.setting.sites.len();
-            println!("string {number} of {sites} sites: {both:?}, {truth:?}");
+            println!("string {number} of {sites} sites: {both:?}, {truth:?}\n{text}");
         }
         for (failed, label) in failed.iter_mut().zip(both.iter().chain([&truth])) {
             *failed += usize::from(label.is_err());

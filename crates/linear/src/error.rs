@@ -317,6 +317,17 @@ pub enum BuildError {
         /// The most that are made.
         most: usize,
     },
+    /// The string would have more elements than those whose poles are found.
+    #[error(
+        "{elements:.0} elements are more than the {most} whose poles are found: take `held`, or a \
+         shorter string"
+    )]
+    TooLongForPoles {
+        /// Elements needed.
+        elements: f64,
+        /// The most whose poles are found.
+        most: usize,
+    },
     /// A method's parameter is out of its range.
     #[error("{name} = {value} is out of range: {expected}")]
     Parameter {

@@ -58,14 +58,6 @@ impl Method {
         )
     }
 
-    /// The method by which a string turns, and moves along its axis.
-    pub fn of_rods(&self) -> &Method {
-        match self {
-            Method::Poles => &Method::Held,
-            other => other,
-        }
-    }
-
     /// The name used in files and on the command line.
     pub fn name(&self) -> &'static str {
         match self {

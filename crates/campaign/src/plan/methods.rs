@@ -42,23 +42,23 @@ pub fn usual_gamma(content: &FileContent) -> f64 {
     }
 }
 
-/// Sites of a string that lies from which on it bends by poles where a file names no method: with fewer a
-/// step costs about the same by responses.
-const SITES_FOR_POLES: usize = 12;
+/// The most sites of a string that lies which bends by responses where a file names no method; with more
+/// it does by poles. Up to here a step costs about the same.
+const SITES_BY_RESPONSES: usize = 12;
 
 /// Whether a string bends by poles where a file names no method.
 pub fn is_by_poles(content: &FileContent, setting: &Setting) -> bool {
     let Some(lateral) = &setting.lateral else {
         return false;
     };
-    // Others are said by names, or buckle.
+    // `accuracy` and `certify` choose methods themselves; of strings that rub all along nothing was measured.
     let is_plain =
         content.accuracy.is_none() && !content.certify && content.string_friction.is_none();
     let (sites, frequency) = (&setting.sites, setting.sampling_frequency);
     let bends = (&lateral.bending, lateral.support);
     is_plain
         && setting.lying.is_some()
-        && sites.len() > SITES_FOR_POLES
+        && sites.len() > SITES_BY_RESPONSES
         && PolePlan::new(&setting.string, bends, sites, frequency).is_ok()
 }
 
@@ -87,7 +87,8 @@ pub fn resolve(
         let is_double = content.methods[..index].contains(name);
         source.refuse_if(is_double, &format!("methods[{index}]"), "is named twice")?;
         let bends = content.wall.is_some();
-        let message = "`poles` are those of a string that bends, and there is no [wall]: `held`";
+        let message =
+            "`poles` are those of a string that bends, and there is no [wall]: take `held`";
         let is_idle = *name == MethodName::Poles && !bends;
         source.refuse_if(is_idle, &format!("methods[{index}]"), message)?;
         let needs_damping = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);

@@ -203,34 +203,75 @@ pub fn at_surface<T: Number>(
     }
 }
 
-/// The response of nodes, from the surface down, of which the first `sites` are sites:
-/// each hangs from the one above by a piece, `None` where there is nothing. Stiffnesses
-/// are torques per motion, and a speed is `rate` times that motion. Without a drive the
-/// surface turns as prescribed.
+/// Nodes of a string below its surface, which answer one by one.
+#[derive(Debug, Clone)]
+pub(crate) struct Driven<T> {
+    nodes: Nodes<T>,
+    /// Motion of the first per set motion of the surface.
+    by_surface: T,
+    rate: T,
+    sites: usize,
+}
+
+impl<T: Number> Driven<T> {
+    /// Nodes from the surface down, of which the first `sites` are sites: each hangs from the one
+    /// above by a piece, `None` where there is nothing. Stiffnesses are torques per motion, and a
+    /// speed is `rate` times that motion. Without a drive the surface turns as prescribed.
+    pub fn new(
+        mut pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
+        sites: usize,
+        rate: T,
+        drive: Option<Drive<T>>,
+    ) -> Self {
+        let uppermost = pieces.next().flatten();
+        let pieces: Vec<_> = pieces.collect();
+        let (pull, above) = match (uppermost, drive) {
+            (None, _) => (T::zero(), T::zero()),
+            (Some(piece), None) => (-piece.cross, piece.bottom),
+            (Some(piece), Some(drive)) => {
+                let way = drive.holds * (drive.opposes + piece.top).inverse();
+                (-(piece.cross * way), piece.below(drive.opposes))
+            }
+        };
+        let nodes = Nodes::new(above, &pieces);
+        let first = nodes.moved_by_load(0).next();
+        Self {
+            by_surface: first.map_or(T::zero(), |compliance| pull * compliance),
+            nodes,
+            rate,
+            sites,
+        }
+    }
+
+    /// Number of sites.
+    pub fn sites(&self) -> usize {
+        self.sites
+    }
+
+    /// Speed of each site per speed that the surface is set to.
+    pub fn turned_by_surface(&self) -> impl Iterator<Item = T> {
+        let nodes = self.nodes.carried_from(0, self.by_surface);
+        nodes.take(self.sites)
+    }
+
+    /// Speed of a site and of each below it per torque at it, rad/s per N m.
+    pub fn turned_by_torque(&self, site: usize) -> impl Iterator<Item = T> {
+        let moved = self.nodes.moved_by_load(site).map(|it| self.rate * it);
+        moved.take(self.sites - site)
+    }
+}
+
+/// The response of nodes, all sites at once, as [`Driven::new`] has them.
 pub fn reduce<T: Number>(
-    mut pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
+    pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
     sites: usize,
     rate: T,
     drive: Option<Drive<T>>,
 ) -> TorsionAdmittance<T> {
-    let uppermost = pieces.next().flatten();
-    let pieces: Vec<_> = pieces.collect();
-    let (pull, above) = match (uppermost, drive) {
-        (None, _) => (T::zero(), T::zero()),
-        (Some(piece), None) => (-piece.cross, piece.bottom),
-        (Some(piece), Some(drive)) => {
-            let way = drive.holds * (drive.opposes + piece.top).inverse();
-            (-(piece.cross * way), piece.below(drive.opposes))
-        }
-    };
-    let nodes = Nodes::new(above, &pieces);
-    let first = nodes.moved_by_load(0).next();
-    let by_surface = first.map_or(T::zero(), |compliance| pull * compliance);
+    let driven = Driven::new(pieces, sites, rate, drive);
     TorsionAdmittance {
-        from_surface: nodes.carried_from(0, by_surface).take(sites).collect(),
-        from_torque: ResponseMatrix::reciprocal(sites, |site| {
-            nodes.moved_by_load(site).map(move |motion| rate * motion)
-        }),
+        from_surface: driven.turned_by_surface().collect(),
+        from_torque: ResponseMatrix::reciprocal(sites, |site| driven.turned_by_torque(site)),
     }
 }
 

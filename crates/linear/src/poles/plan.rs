@@ -69,7 +69,7 @@ impl<'a> PolePlan<'a> {
         let elements = most_elements(string, Channel::Bending, sites, elements_per_cell);
         if elements > MOST_ELEMENTS as f64 {
             let most = MOST_ELEMENTS;
-            return Err(BuildError::TooManyElements { elements, most });
+            return Err(BuildError::TooLongForPoles { elements, most });
         }
         Ok(Self {
             string,

@@ -67,6 +67,7 @@ pub(super) fn all_finite(channels: &[Vec<f64>], method: &Method) -> Result<(), B
         })
     }
 }
+
 /// Taps of responses that are as long as a simulation (s).
 ///
 /// # Errors

@@ -98,11 +98,13 @@ fn taps_of_each(trains: &[Vec<f64>], spacing: f64, ending: Ending) -> Vec<Vec<f6
     trains.iter().map(taps).collect()
 }
 
-/// Trains are made of this number of bytes at a time. A lattice has thousands of steps in a travel
-/// time: of a string that rubs, trains between twenty nodes take a hundred times as much as the
-/// taps that are kept of them. The number is the same on any machine and under any limit of memory,
-/// as taps are: trains that are made apart are cut where each of them has decayed.
-const AT_A_TIME: f64 = (1u64 << 30) as f64;
+/// Trains are made in this number of turns, of no fewer than the first number of bytes and no more than the
+/// second each. A lattice has thousands of steps in a travel time: of a string that rubs, trains between twenty
+/// nodes take a hundred times as much as the taps that are kept of them; but each turn goes along the whole
+/// string again. The numbers are the same on any machine and under any limit of memory, as taps are: trains
+/// that are made apart are cut where each of them has decayed.
+const TURNS: f64 = 5.0;
+const AT_A_TIME: [f64; 2] = [(1u64 << 28) as f64, (1u64 << 30) as f64];
 
 /// Trains of impulses before they are built.
 #[derive(Debug)]
@@ -134,9 +136,11 @@ impl<'a> TrainsPlan<'a> {
         let loss = loss_per_step(string, Scheme::Lattice, on_lattice.sampling_frequency);
         let rounds = Rounds::new(string, &on_lattice, (held::SAMPLING, loss), size);
         let rounds = rounds.map_err(on_its_lattice)?;
+        let all = rounds.within(f64::INFINITY).need().peak;
+        let [least, most] = AT_A_TIME;
         Ok(Self {
             rounds,
-            at_a_time: rounds.within(AT_A_TIME),
+            at_a_time: rounds.within((all / TURNS).clamp(least, most)),
             string,
             request,
             wanted,
@@ -245,13 +249,7 @@ impl<'a> TrainsPlan<'a> {
         let response = |zeta: Lanes, responses: &mut [Lanes]| {
             let torque = || lattice.surface_torque(zeta);
             let surface = || lattice.at_surface(zeta);
-            wanted.write_some(
-                places,
-                || lattice.admittance(zeta),
-                torque,
-                surface,
-                responses,
-            );
+            wanted.write_some(places, || lattice.driven(zeta), torque, surface, responses);
         };
         let built = rounds.build(budget, |impulses, sampling| {
             quadrature::series(impulses, places.len(), sampling, &response)

@@ -1,7 +1,7 @@
 //! Which responses in torsion are wanted, and where they stand in a list.
 
 use crate::assembly::lanes::Lanes;
-use crate::assembly::torsion::AtSurface;
+use crate::assembly::torsion::{AtSurface, Driven};
 use crate::waves::TorsionAdmittance;
 
 /// What is to be known of a string in torsion.
@@ -69,11 +69,11 @@ impl<'a> Wanted<'a> {
         from_surface.chain(from_torques).collect()
     }
 
-    /// Writes some of them, by place.
+    /// Writes some of them, by place in rising order.
     pub(super) fn write_some(
         self,
         places: &[usize],
-        admittance: impl FnOnce() -> TorsionAdmittance<Lanes>,
+        driven: impl FnOnce() -> Driven<Lanes>,
         surface_torque: impl FnOnce() -> Lanes,
         at_surface: impl FnOnce() -> Option<AtSurface<Lanes>>,
         responses: &mut [Lanes],
@@ -89,16 +89,26 @@ impl<'a> Wanted<'a> {
                 return;
             }
         };
-        let admittance = admittance();
-        let sites = admittance.from_surface.len();
-        for (response, place) in responses.iter_mut().zip(places) {
-            *response = match place.checked_sub(sites) {
-                None => admittance.from_surface[*place],
-                Some(pair) => {
-                    let (site, input) = (pair / torques.len(), pair % torques.len());
-                    admittance.from_torque[(site, torques[input])]
-                }
-            };
+        let driven = driven();
+        let sites = driven.sites();
+        let of_surface = places.partition_point(|place| *place < sites);
+        let first = places.first().map_or(0, |place| *place);
+        for (response, speed) in
+            (responses[..of_surface].iter_mut()).zip(driven.turned_by_surface().skip(first))
+        {
+            *response = speed;
+        }
+        // Most often one torque after the other, each with the sites below it.
+        let (mut upper, mut speeds) = (sites, Vec::with_capacity(sites));
+        for (response, place) in responses.iter_mut().zip(places).skip(of_surface) {
+            let pair = place - sites;
+            let (site, other) = (pair / torques.len(), torques[pair % torques.len()]);
+            if upper != site.min(other) {
+                upper = site.min(other);
+                speeds.clear();
+                speeds.extend(driven.turned_by_torque(upper));
+            }
+            *response = speeds[site.max(other) - upper];
         }
     }
 

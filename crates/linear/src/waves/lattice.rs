@@ -38,8 +38,8 @@ use std::sync::Arc;
 use crate::assembly::chain::Stiffness;
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
-    AtSurface, Drive, DynamicStiffness, TorsionAdmittance, at_surface, late_in_steps, reduce,
-    torque_at_surface,
+    AtSurface, Drive, Driven, DynamicStiffness, TorsionAdmittance, at_surface, late_in_steps,
+    reduce, torque_at_surface,
 };
 use crate::distributed_loss::{Interpolated, LossAlong, LossAt};
 use crate::drillstring::{Drillstring, Section, Tube};
@@ -77,7 +77,10 @@ pub struct Lattice {
     /// By how much the travel times of parts, and those from the surface to the ends of
     /// sections and to sites, are off, all together, s.
     pub misfit: f64,
-    spans: Vec<Vec<Run>>,
+    /// Cells in a row, of those that are alike one.
+    runs: Vec<Run>,
+    /// Which of them are between each node and the next.
+    spans: Vec<Vec<usize>>,
     sites: usize,
     top_drive: Option<TopDrive>,
     loss: Arc<LossAlong<Interpolated>>,
@@ -161,6 +164,14 @@ impl Lattice {
             pieces: 0,
             misfit: 0.0,
         };
+        let mut distinct: Vec<Run> = Vec::new();
+        let mut number_of = |run: Run| {
+            let known = distinct.iter().position(|other| *other == run);
+            known.unwrap_or_else(|| {
+                distinct.push(run);
+                distinct.len() - 1
+            })
+        };
         let spans = (spans.iter())
             .map(|span| {
                 let runs: Vec<_> = (span.iter())
@@ -170,7 +181,7 @@ impl Lattice {
                 let runs = runs.into_iter().enumerate();
                 runs.map(|(index, (hole, run))| {
                     let is_all = index == last && cutter.pieces == before;
-                    cutter.cut(run, hole, is_all)
+                    number_of(cutter.cut(run, hole, is_all))
                 })
                 .collect()
             })
@@ -179,6 +190,7 @@ impl Lattice {
             step,
             misfit: cutter.misfit,
             spans,
+            runs: distinct,
             sites,
             top_drive: string.top_drive(),
             loss: Arc::clone(loss),
@@ -194,9 +206,11 @@ impl Lattice {
         &self,
         waves: &Waves<'_, T>,
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
-        self.spans.iter().map(|runs| {
-            let runs = runs.iter().filter_map(|run| run.stiffness(waves));
-            runs.reduce(DynamicStiffness::join)
+        let runs = self.runs.iter().map(|run| run.stiffness(waves));
+        let runs: Vec<Option<DynamicStiffness<T>>> = runs.collect();
+        self.spans.iter().map(move |span| {
+            let between = span.iter().filter_map(|run| runs[*run]);
+            between.reduce(DynamicStiffness::join)
         })
     }
 
@@ -217,6 +231,13 @@ impl Lattice {
         let waves = self.waves(zeta);
         let drive = self.drive(&waves, zeta);
         reduce(self.pieces(&waves), self.sites, T::real(1.0), drive)
+    }
+
+    /// Nodes at the delay ζ, which answer one by one as in [`Lattice::admittance`].
+    pub(crate) fn driven<T: Number>(&self, zeta: T) -> Driven<T> {
+        let waves = self.waves(zeta);
+        let drive = self.drive(&waves, zeta);
+        Driven::new(self.pieces(&waves), self.sites, T::real(1.0), drive)
     }
 
     /// How the surface moves below its drive; `None` without one.

@@ -43,8 +43,8 @@ const QUICK: &str = "quadrature";
 /// minutes to build in a browser. It is the first of the file, but of a string with friction all along
 /// it one without a lattice of waves in each piece.
 pub fn methods_of_page(sweep: &Sweep) -> (usize, Option<usize>) {
-    let is_slow =
-        |method: &Method| sweep.setting.friction.is_some() && *method.of_rods() == Method::Held;
+    let rubs = sweep.setting.friction.is_some();
+    let is_slow = |method: &Method| rubs && matches!(method, Method::Held | Method::Poles);
     let slow = sweep.methods.iter().position(is_slow);
     let quick = sweep.methods.iter().position(|method| !is_slow(method));
     (quick.unwrap_or(0), slow)
