@@ -3,10 +3,10 @@
 
 use crate::coupling::{Load, Solved, Unloaded};
 use crate::error::SimulationError;
-use crate::laws::contact::{Contact, ContactError, WallLaw};
+use crate::laws::contact::{Approach, Contact, ContactError, Spin, WallLaw};
 use crate::laws::torque::LoadLine;
 use crate::line::{Bending, Past, WallPorts};
-use crate::port::{LateralLine, meet_wall, turned_by_wall};
+use crate::port::turned_by_wall;
 use crate::scene::Lateral;
 use crate::system::System;
 
@@ -201,10 +201,15 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         self.springs.get(site).copied()
     }
 
-    /// The load line at a wall under the loads of the others, what it did last given. Where a spring is
-    /// taken back, u = p + A (F + k u) leaves u = (p + A F)/(1 − A k).
-    #[inline]
-    pub(crate) fn line(&self, site: usize, unloaded: &Unloaded, last: &Contact) -> LateralLine {
+    /// Approach to a wall under the loads of the others, on the load line of its turning, what it did last given.
+    /// Where a spring is taken back, u = p + A (F + k u) leaves u = (p + A F)/(1 − A k).
+    #[inline(always)]
+    pub(crate) fn approach(
+        &self,
+        site: usize,
+        (unloaded, last): (&Unloaded, &Contact),
+        line: LoadLine,
+    ) -> Approach<'static> {
         let mut compliance = self.channel.instant(site, site);
         let mut free_position = unloaded.position;
         if !self.springs.is_empty() {
@@ -212,13 +217,18 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             free_position = free_position.map(|it| it / give);
             compliance /= give;
         }
-        LateralLine {
+        Approach {
             free_position,
             previous_position: self.positions[site],
             previous_sliding_speed: self.sliding_speeds[site],
             last_force: last.force,
             present_position: unloaded.present,
             compliance,
+            spin: Spin {
+                free_speed: line.free_speed,
+                compliance: line.compliance,
+                resistance: None,
+            },
             sampling: self.system.sampling,
         }
     }
@@ -233,16 +243,16 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         &self,
         site: usize,
         wall: &W,
-        (unloaded, last): (&Unloaded, &Contact),
+        unloaded_and_last: (&Unloaded, &Contact),
         line: LoadLine,
     ) -> Result<(Contact, Solved), ContactError> {
-        let lateral_line = self.line(site, unloaded, last);
-        let contact = meet_wall(wall, &lateral_line, line, None)?;
+        let approach = self.approach(site, unloaded_and_last, line);
+        let contact = wall.meet(&approach)?;
         let mut solved = turned_by_wall(&contact, line);
         match self.spring(site) {
             Some(spring) => solved.take_back(spring, contact.position),
             None if solved.load == Load::default() => {
-                solved.slack = lateral_line.slack(wall.clearance());
+                solved.slack = approach.slack(wall.clearance());
             }
             None => {}
         }
@@ -252,8 +262,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
     /// Ends a step with what all walls did and the speeds of all ports, rad/s.
     pub(crate) fn end_step(&mut self, contacts: &[Contact], speeds: &[f64]) {
         let (sites, sampling) = (self.positions.len(), self.system.sampling);
-        let ports = contacts.iter().zip(self.walls.ports());
-        for (site, (contact, &port)) in ports.enumerate() {
+        for (site, contact) in contacts.iter().enumerate() {
             for axis in 0..2 {
                 let place = axis * sites + site;
                 self.step_forces[place] = self.external[place] + contact.force[axis];
@@ -263,7 +272,11 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             }
             self.positions[site] = sampling.end_of_step(contact.position, self.positions[site]);
             self.sliding_speeds[site] = contact.touches().then_some(contact.sliding_speed);
-            self.rotations[site] += speeds[port] / sampling.frequency;
+        }
+        if !self.scene.eccentric_masses.is_empty() {
+            for (rotation, &port) in self.rotations.iter_mut().zip(self.walls.ports()) {
+                *rotation += speeds[port] / sampling.frequency;
+            }
         }
         let resting = self.resting_forces.iter();
         for (force, resting) in self.step_forces.iter_mut().zip(resting) {

@@ -8,28 +8,6 @@ use crate::laws::cutting::CutStep;
 use crate::laws::motor::{MotorMotion, StringEnd, meet_below};
 use crate::laws::pipe::{OnLines, PipeMotion};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
-use crate::sampling::Sampling;
-
-/// What a step leaves open in bending, the loads of other sites given: the position is
-/// `free_position + compliance × force`.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct LateralLine {
-    pub(crate) free_position: [f64; 2],
-    pub(crate) previous_position: [f64; 2],
-    pub(crate) previous_sliding_speed: Option<f64>,
-    pub(crate) last_force: [f64; 2],
-    pub(crate) present_position: Option<[f64; 2]>,
-    pub(crate) compliance: f64,
-    pub(crate) sampling: Sampling,
-}
-
-impl LateralLine {
-    /// The force, N, that a site without a load may be pushed by before it reaches its wall.
-    pub(crate) fn slack(&self, clearance: f64) -> f64 {
-        let [x, y] = self.free_position;
-        ((clearance - (x * x + y * y).sqrt()) / self.compliance).max(0.0)
-    }
-}
 
 /// The law of the torque on a port, with what it remembers of the last step.
 #[derive(Debug)]
@@ -107,30 +85,6 @@ pub(crate) fn meet_cut(
     meet_below(motor, line, act, |cut| [-cut.torque, cut.speed])
 }
 
-/// Answer of a wall, what else resists the torque of its friction given.
-#[inline(always)]
-pub(crate) fn meet_wall<W: WallLaw>(
-    wall: &W,
-    lateral: &LateralLine,
-    line: LoadLine,
-    resistance: Option<Resistance>,
-) -> Result<Contact, ContactError> {
-    wall.meet(&Approach {
-        free_position: lateral.free_position,
-        previous_position: lateral.previous_position,
-        previous_sliding_speed: lateral.previous_sliding_speed,
-        last_force: lateral.last_force,
-        present_position: lateral.present_position,
-        compliance: lateral.compliance,
-        spin: Spin {
-            free_speed: line.free_speed,
-            compliance: line.compliance,
-            resistance,
-        },
-        sampling: lateral.sampling,
-    })
-}
-
 /// Solution of a port that a wall alone turns.
 #[inline(always)]
 pub(crate) fn turned_by_wall(contact: &Contact, line: LoadLine) -> Solved {
@@ -205,11 +159,11 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
     pub(crate) fn turn_at_wall<W: WallLaw>(
         &self,
         wall: &W,
-        lateral: &LateralLine,
+        approach: &Approach,
         line: LoadLine,
         guess: f64,
     ) -> Result<(Contact, PortTurn<B::State>), ContactError> {
-        let act = |line| self.meet_at_wall(wall, lateral, line, guess);
+        let act = |line| self.meet_at_wall(wall, approach, line, guess);
         let read = |met: &Result<(Contact, Turned<_>, f64), _>| match met {
             Ok((contact, law, speed)) => [contact.torque + law.torque(), *speed],
             Err(_) => [0.0; 2],
@@ -223,7 +177,7 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
     fn meet_at_wall<W: WallLaw>(
         &self,
         wall: &W,
-        lateral: &LateralLine,
+        approach: &Approach,
         line: LoadLine,
         guess: f64,
     ) -> Result<(Contact, Turned<B::State>, f64), ContactError> {
@@ -233,7 +187,12 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
             speed: &speed,
             jump: line.compliance * drop,
         });
-        let contact = meet_wall(wall, lateral, line, resistance)?;
+        let spin = Spin {
+            free_speed: line.free_speed,
+            compliance: line.compliance,
+            resistance,
+        };
+        let contact = wall.meet(&Approach { spin, ..*approach })?;
         let free_speed = line.free_speed + line.compliance * contact.torque;
         let law = turned(free_speed);
         let speed = law.speed().unwrap_or(free_speed);

@@ -118,8 +118,9 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     bit_state: B::State,
     /// How the pipe rubbed in the last step.
     rubbed: Vec<PipeMotion>,
-    /// How fast what is at the wall of each port turned in the last step, rad/s: below a motor the bit.
-    turned: Vec<f64>,
+    /// How fast what is at the wall of each port turned in the last step, rad/s, where the bit turns below a
+    /// motor; else the string is at all walls.
+    turned: Option<Vec<f64>>,
     /// What the ports do in this step without its loads.
     free: Vec<f64>,
     step_torques: Vec<f64>,
@@ -225,7 +226,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             coupling,
             bit_state: bit_state.unwrap_or_default(),
             rubbed: rubbed.clone(),
-            turned,
+            turned: motor.map(|_| turned),
             free: vec![0.0; loaded.len()],
             step_torques: vec![0.0; loaded.len()],
             now: Step {
@@ -298,7 +299,8 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             Reference::Steady(motion) => self.add_steady_motion(motion),
         }
         if let Some(lateral) = &mut self.lateral {
-            lateral.find_free_motion(self.now.time, &self.turned);
+            let turned = self.turned.as_ref().unwrap_or(&self.now.speeds);
+            lateral.find_free_motion(self.now.time, turned);
             for (port, torque) in lateral.resting_torques() {
                 self.within.turn_by(port, -torque, &mut self.free);
             }
@@ -511,8 +513,8 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                     (Turned::Free, solved)
                 }
                 Some((lateral, (at, wall))) => {
-                    let lateral_line = lateral.line(at, &unloaded, &now.contacts[at]);
-                    let met = torque.turn_at_wall(wall, &lateral_line, line, guess);
+                    let approach = lateral.approach(at, (&unloaded, &now.contacts[at]), line);
+                    let met = torque.turn_at_wall(wall, &approach, line, guess);
                     let (contact, turn) = met.map_err(of_contact)?;
                     let mut solved = torque.solved(&turn, &contact);
                     if let Some(spring) = lateral.spring(at) {
@@ -576,14 +578,17 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         let torques = self.step_torques.as_slice();
         let of_drive = self.drive.as_mut().map(|drive| drive.end_step(torques));
         self.now.surface = of_drive.or(of_line);
-        self.turned.copy_from_slice(&self.now.speeds);
         let at_bit = self.bit_port();
-        if let (Some(motor), Some((_, speed)), Some(port)) = (&mut self.motor, bit_speed, at_bit) {
-            motor.end_step(speed);
-            self.turned[port] = speed;
+        if let (Some(motor), Some(turned)) = (&mut self.motor, &mut self.turned) {
+            turned.copy_from_slice(&self.now.speeds);
+            if let (Some((_, speed)), Some(port)) = (bit_speed, at_bit) {
+                motor.end_step(speed);
+                turned[port] = speed;
+            }
         }
         if let Some(lateral) = &mut self.lateral {
-            lateral.end_step(&self.now.contacts, &self.turned);
+            let turned = self.turned.as_ref().unwrap_or(&self.now.speeds);
+            lateral.end_step(&self.now.contacts, turned);
         }
         if let Some(bit) = &self.now.bit {
             self.bit_state.clone_from(&bit.state);

@@ -57,26 +57,29 @@ impl Coupling<'_> {
         };
         for turn in 0..most_turns {
             let matters = self.matters(COUPLING_TOLERANCE, driving);
-            let have_settled = !self.any_is_open(free, &matters);
             match self.within {
-                _ if have_settled => {}
-                Within::All(torsion) if turn >= PLAIN_TURNS => {
+                Within::All(torsion) if turn >= PLAIN_TURNS && self.any_is_open(free, &matters) => {
                     newton::step(self, torsion, free, &mut solve);
                 }
-                Within::Chain(chain) => row::correct(self, chain, free, turn),
-                Within::All(_) => {}
+                Within::Chain(chain) if self.any_is_open(free, &matters) => {
+                    row::correct(self, chain, free, turn);
+                }
+                _ => {}
             }
+            let mut have_settled = true;
             for port in 0..self.pending.len() {
-                let is_due = match have_settled {
-                    // The others get the latest loads of those that touch.
-                    true => self.pending[port] > self.matters_at(port, &matters),
-                    false => self.is_open(port, free, &matters),
-                };
-                if is_due {
+                if self.is_open(port, free, &matters) {
                     self.solve_port(port, free, &mut solve)?;
+                    have_settled = false;
                 }
             }
             if have_settled {
+                // The others get the latest loads of those that touch.
+                for port in 0..self.pending.len() {
+                    if self.pending[port] > self.matters_at(port, &matters) {
+                        self.solve_port(port, free, &mut solve)?;
+                    }
+                }
                 return Ok(true);
             }
         }
@@ -152,8 +155,8 @@ impl Coupling<'_> {
     /// Whether a port has to be solved again.
     #[inline(always)]
     fn is_open(&self, port: usize, free: Free, matters: &Matters) -> bool {
-        let matters_here = self.matters_at(port, matters);
-        let by_load = self.pending[port] > self.slack[port].max(matters_here);
+        let pending = self.pending[port];
+        let by_load = pending > self.matters_at(port, matters) && pending > self.slack[port];
         by_load || self.is_driven_anew(port, free, matters.driving)
     }
 

@@ -117,6 +117,12 @@ impl Approach<'_> {
     pub fn end_of_step(&self, position: [f64; 2]) -> [f64; 2] {
         (self.sampling).end_of_step(position, self.previous_position)
     }
+
+    /// The force, N, that a site without a load may be pushed by before it reaches its wall.
+    pub(crate) fn slack(&self, clearance: f64) -> f64 {
+        let [x, y] = self.free_position;
+        ((clearance - (x * x + y * y).sqrt()) / self.compliance).max(0.0)
+    }
 }
 
 impl Spin<'_> {

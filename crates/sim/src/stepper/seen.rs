@@ -64,8 +64,9 @@ impl<B: TorqueLaw, W: WallLaw> Stepper<'_, B, W> {
 
     /// How fast what is at each wall turned in the last step, rad/s.
     pub(crate) fn speeds_at_walls(&self) -> impl Iterator<Item = f64> {
+        let turned = self.turned.as_ref().unwrap_or(&self.now.speeds);
         let ports = self.system.walls.ports().iter();
-        ports.map(|&port| self.turned[port])
+        ports.map(|&port| turned[port])
     }
 
     /// All torques on a port so far, as the reference motion is left by them, N m.

@@ -268,6 +268,7 @@ impl WallWatch {
         self.step += 1;
     }
 
+    #[inline]
     fn see_site(&mut self, step: usize, site: usize, contact: &Contact) {
         let [x, y] = contact.position;
         self.furthest[site] = self.furthest[site].max(x * x + y * y);

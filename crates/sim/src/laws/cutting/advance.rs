@@ -151,6 +151,11 @@ impl Grip {
     fn down(&self, axial: &AxialLine, gaps: &[Gap]) -> f64 {
         let within = axial.within;
         let full = self.most / self.growth;
+        if gaps.iter().all(|gap| gap.depth >= full) {
+            // No corner is ahead: all blades cut, and their flats carry all they can.
+            let line = self.going_down(gaps, within, 0.0, 1.0);
+            return crossing(axial, line, 0.0).max(0.0);
+        }
         let corners = || {
             let two = |gap: &Gap| [-gap.depth / within, (full - gap.depth) / within];
             gaps.iter().flat_map(two)
