@@ -26,16 +26,16 @@ const SITES_FOR_TWICE: f64 = 6.0;
 /// is asked: what is examined is the same on every machine.
 pub(super) struct Costs<'a> {
     sweep: &'a Sweep,
-    /// That of a case, with its system where each has its own.
+    /// Cost of a case, with its system where each has its own.
     case: f64,
-    /// That of a system for all.
+    /// Cost of a system for all.
     system: f64,
-    /// What may be taken of any run.
+    /// Cost that is allowed in addition to that of any run.
     little: f64,
 }
 
 impl<'a> Costs<'a> {
-    /// Those of a sweep, from how long some of its cases last.
+    /// Costs of a sweep, from how long some of its cases last.
     pub(super) fn of(sweep: &'a Sweep, cases: &[usize]) -> Self {
         let setting = &sweep.setting;
         let some = cases
@@ -68,7 +68,7 @@ impl<'a> Costs<'a> {
         sample <= (PART_OF_RUN * run).max(self.little)
     }
 
-    /// That of a variant of a number of cases.
+    /// Cost of a variant of a number of cases.
     pub(super) fn of_variant(&self, variant: &Variant, count: usize) -> f64 {
         let cases = count as f64 * self.case;
         match variant.change {

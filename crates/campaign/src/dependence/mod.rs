@@ -112,13 +112,12 @@ pub struct Sample {
     left_out: Vec<Change>,
 }
 
-/// What is examined of a sweep.
+/// Variants of a sweep that are examined, and cases of each.
 struct Examination {
-    /// With which changes,
     variants: Vec<Variant>,
-    /// and with which not, as that takes too long.
+    /// Changes that are not examined, as that takes too long.
     left_out: Vec<Change>,
-    /// How many cases.
+    /// Cases of each variant.
     cases: usize,
 }
 
