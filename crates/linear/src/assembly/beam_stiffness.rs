@@ -28,7 +28,10 @@ impl<T: Number> Stiffness for BeamStiffness<T> {
         (0..4).all(|entry| is_lost(entry / 2, entry % 2))
     }
 
-    fn join(self, lower: Self) -> Self {
-        self.joined(lower)
+    fn join(&self, lower: &Self) -> Self {
+        T::wide(
+            #[inline(always)]
+            || self.joined(lower),
+        )
     }
 }

@@ -52,15 +52,15 @@ impl<T: Number> Stiffness for Beam<T> {
         }
     }
 
-    fn join(self, lower: Self) -> Self {
+    fn join(&self, lower: &Self) -> Self {
         match (self, lower) {
             (Beam::Short(upper), Beam::Short(lower)) => {
                 if upper.turns + lower.turns <= SHORT {
                     Beam::Short(upper.join(lower))
                 } else if upper.turns > lower.turns {
-                    Beam::Long(lower.below(upper.between_ends()))
+                    Beam::Long(lower.below(&upper.between_ends()))
                 } else {
-                    Beam::Long(upper.above(lower.between_ends()))
+                    Beam::Long(upper.above(&lower.between_ends()))
                 }
             }
             (Beam::Long(upper), Beam::Short(lower)) => Beam::Long(lower.below(upper)),
@@ -73,14 +73,14 @@ impl<T: Number> Stiffness for Beam<T> {
 impl<T: Number> StiffnessBetween<Block<T>> for Beam<T> {
     fn below(&self, above: Block<T>) -> Block<T> {
         match self {
-            Beam::Short(beam) => beam.below(alone(above)).bottom,
+            Beam::Short(beam) => beam.below(&alone(above)).bottom,
             Beam::Long(beam) => beam.below(above),
         }
     }
 
     fn above(&self, below: Block<T>) -> Block<T> {
         match self {
-            Beam::Short(beam) => beam.above(alone(below)).top,
+            Beam::Short(beam) => beam.above(&alone(below)).top,
             Beam::Long(beam) => beam.above(below),
         }
     }
@@ -256,7 +256,7 @@ mod tests {
         ] {
             let cell = cell(s);
             let row = cell.repeated(60).between_ends();
-            let joined = (1..60).fold(cell, |row, _| row.join(cell)).between_ends();
+            let joined = (1..60).fold(cell, |row, _| row.join(&cell)).between_ends();
             assert!(difference(row.top, joined.top) < 1e-10, "{s}");
             assert!(difference(row.bottom, joined.bottom) < 1e-10, "{s}");
             if joined.is_endless() {

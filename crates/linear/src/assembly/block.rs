@@ -14,22 +14,26 @@ pub struct Block<T = Complex64>(pub [[T; 2]; 2]);
 
 impl<T: Number> Block<T> {
     /// Every entry multiplied by a number.
+    #[inline(always)]
     pub fn multiplied(self, by: T) -> Self {
         self.zip(self, |a, _| a * by)
     }
 
     /// M R of this M, R the motion of the bottom of a rigid piece by that of its top.
+    #[inline(always)]
     pub fn carried(self, length: f64) -> Self {
         let [[a, b], [c, d]] = self.0;
         Block([[a, b + a * length], [c, d + c * length]])
     }
 
     /// Rᵀ M: moments taken about the top of a rigid piece.
+    #[inline(always)]
     pub fn moved(self, length: f64) -> Self {
         let [[a, b], [c, d]] = self.0;
         Block([[a, b], [c + a * length, d + b * length]])
     }
 
+    #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
         let ([[a, b], [c, d]], [[e, g], [h, i]]) = (self.0, other.0);
         Block([[f(a, e), f(b, g)], [f(c, h), f(d, i)]])
@@ -37,10 +41,12 @@ impl<T: Number> Block<T> {
 }
 
 impl<T: Number> Relation for Block<T> {
+    #[inline(always)]
     fn zero() -> Self {
         Block([[T::zero(); 2]; 2])
     }
 
+    #[inline(always)]
     fn inverse(self) -> Self {
         let [[a, b], [c, d]] = self.0;
         let scale = (a * d - b * c).inverse();
@@ -48,14 +54,21 @@ impl<T: Number> Relation for Block<T> {
         Block([[d * scale, b * minus], [c * minus, a * scale]])
     }
 
+    #[inline(always)]
     fn transpose(self) -> Self {
         let [[a, b], [c, d]] = self.0;
         Block([[a, c], [b, d]])
+    }
+
+    #[inline(always)]
+    fn wide<R>(work: impl FnOnce() -> R) -> R {
+        T::wide(work)
     }
 }
 
 impl<T: Number> Add for Block<T> {
     type Output = Self;
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         self.zip(other, |a, b| a + b)
     }
@@ -63,6 +76,7 @@ impl<T: Number> Add for Block<T> {
 
 impl<T: Number> Sub for Block<T> {
     type Output = Self;
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self.zip(other, |a, b| a - b)
     }
@@ -70,6 +84,7 @@ impl<T: Number> Sub for Block<T> {
 
 impl<T: Number> Neg for Block<T> {
     type Output = Self;
+    #[inline(always)]
     fn neg(self) -> Self {
         self.zip(self, |a, _| -a)
     }
@@ -77,6 +92,7 @@ impl<T: Number> Neg for Block<T> {
 
 impl<T: Number> Mul for Block<T> {
     type Output = Self;
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let ([[a, b], [c, d]], [[e, f], [g, h]]) = (self.0, other.0);
         Block([

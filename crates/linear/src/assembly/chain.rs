@@ -14,7 +14,7 @@ use crate::surroundings::Surroundings;
 pub trait Stiffness: Copy {
     /// Stiffness of this piece with `lower` hanging from its bottom, nothing
     /// external acting at the node they share.
-    fn join(self, lower: Self) -> Self;
+    fn join(&self, lower: &Self) -> Self;
 
     /// Whether it is known that waves die away within this piece: its ends do not feel one
     /// another.
@@ -24,24 +24,29 @@ pub trait Stiffness: Copy {
 
     /// Stiffness of `count` ≥ 1 of this piece in a row: by repeated doubling, where there
     /// is no shorter way.
-    fn repeated(self, count: usize) -> Self {
-        let mut doubled = self;
+    fn repeated(&self, count: usize) -> Self {
+        let mut doubled = *self;
         let mut left = count - 1;
-        let mut chain = self;
+        let mut chain = *self;
         while left > 0 {
             if doubled.is_endless() {
-                return chain.join(doubled);
+                return chain.join(&doubled);
             }
             if left & 1 == 1 {
-                chain = chain.join(doubled);
+                chain = chain.join(&doubled);
             }
             left >>= 1;
             if left > 0 {
-                doubled = doubled.join(doubled);
+                doubled = doubled.join(&doubled);
             }
         }
         chain
     }
+}
+
+/// One piece with another hanging from it, as [`Stiffness::join`] has them.
+pub fn hung<S: Stiffness>(upper: S, lower: S) -> S {
+    upper.join(&lower)
 }
 
 /// Which ends of a piece are of interest.
@@ -59,7 +64,7 @@ fn row<S: Stiffness>(mut pieces: impl DoubleEndedIterator<Item = S>, ends: Ends)
     let mut lower = pieces.next_back()?;
     while !lower.is_endless() {
         match pieces.next_back() {
-            Some(upper) => lower = upper.join(lower),
+            Some(upper) => lower = upper.join(&lower),
             None => return Some(lower),
         }
     }
@@ -71,11 +76,11 @@ fn row<S: Stiffness>(mut pieces: impl DoubleEndedIterator<Item = S>, ends: Ends)
     };
     while !upper.is_endless() {
         match pieces.next() {
-            Some(next) => upper = upper.join(next),
+            Some(next) => upper = upper.join(&next),
             None => break,
         }
     }
-    Some(upper.join(lower))
+    Some(upper.join(&lower))
 }
 
 /// Stiffness of one section, its cells repeated, from that of its tubes, by the ends of interest.

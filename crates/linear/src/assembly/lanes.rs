@@ -96,6 +96,7 @@ impl Mul<f64> for Lanes {
 }
 
 impl Relation for Lanes {
+    #[inline(always)]
     fn zero() -> Self {
         Self::real(0.0)
     }
@@ -108,8 +109,14 @@ impl Relation for Lanes {
         })
     }
 
+    #[inline(always)]
     fn transpose(self) -> Self {
         self
+    }
+
+    #[inline(always)]
+    fn wide<R>(work: impl FnOnce() -> R) -> R {
+        pulp::Arch::new().dispatch(work)
     }
 }
 
@@ -155,6 +162,29 @@ impl Number for Lanes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::assembly::chain::Stiffness;
+    use crate::assembly::torsion::DynamicStiffness;
+
+    /// By the widest instructions and by any, to the bit.
+    #[test]
+    fn rows_in_lanes_are_those_of_each() {
+        let number = |lane: usize| Complex64::new(0.1 + lane as f64, (3.7 * lane as f64).cos());
+        let alike = Lanes::of_lanes(number);
+        let opposite = alike.inverse() + 0.3;
+        for pieces in [1, 2, 5, 300] {
+            let lanes = Lanes::wide(
+                #[inline(always)]
+                || DynamicStiffness::row(alike, opposite, pieces).repeated(3),
+            );
+            for lane in 0..COUNT {
+                let (alike, opposite) = (alike.lane(lane), opposite.lane(lane));
+                let alone = DynamicStiffness::row(alike, opposite, pieces).repeated(3);
+                assert_eq!(lanes.top.lane(lane), alone.top);
+                assert_eq!(lanes.cross.lane(lane), alone.cross);
+                assert_eq!(lanes.bottom.lane(lane), alone.bottom);
+            }
+        }
+    }
 
     /// Every operation is that of the numbers alone, to the bit.
     #[test]

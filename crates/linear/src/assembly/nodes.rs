@@ -16,6 +16,14 @@ pub trait Relation:
 
     /// The other way round.
     fn transpose(self) -> Self;
+
+    /// The result of work that is compiled for the widest instructions of the processor, where several
+    /// numbers stand side by side; what the work calls has to be inlined. Numbers are the same by any
+    /// instructions: nothing is added in another order.
+    #[inline(always)]
+    fn wide<R>(work: impl FnOnce() -> R) -> R {
+        work()
+    }
 }
 
 /// Dynamic stiffness of a piece of string between its two ends: with loads f and motions u,
@@ -34,7 +42,8 @@ pub struct Piece<K> {
 impl<K: Relation> Piece<K> {
     /// This piece with `lower` hanging from its bottom, no load acting on the node that they
     /// share.
-    pub fn joined(self, lower: Self) -> Self {
+    #[inline(always)]
+    pub fn joined(&self, lower: &Self) -> Self {
         let shared = (self.bottom + lower.top).inverse();
         let (upward, downward) = (self.cross * shared, shared * lower.cross);
         Self {

@@ -37,22 +37,27 @@ pub struct StiffBeam<T = Complex64> {
 
 impl<T: Number> Stiffness for StiffBeam<T> {
     /// The node that they share moves by R u_top + G⁻¹(A d + B u_top).
-    fn join(self, lower: Self) -> Self {
-        let carried = lower.mixed.carried(self.length);
-        let rigid = lower.rigid.carried(self.length);
-        let bent = self.elastic + lower.rigid - lower.mixed.moved(lower.length);
-        let a = lower.elastic.moved(lower.length) - lower.mixed.transpose();
-        let b = carried.moved(lower.length) - self.mixed - rigid;
-        let shared = (bent + a.carried(lower.length)).inverse();
-        let along = shared * b;
-        let joined = lower.mixed + a.transpose() * (shared * bent);
-        Self {
-            length: self.length + lower.length,
-            turns: self.turns + lower.turns,
-            elastic: joined.carried(-lower.length),
-            mixed: carried - a.transpose() * along,
-            rigid: self.rigid + rigid.moved(self.length) - b.transpose() * along,
-        }
+    fn join(&self, lower: &Self) -> Self {
+        T::wide(
+            #[inline(always)]
+            || {
+                let carried = lower.mixed.carried(self.length);
+                let rigid = lower.rigid.carried(self.length);
+                let bent = self.elastic + lower.rigid - lower.mixed.moved(lower.length);
+                let a = lower.elastic.moved(lower.length) - lower.mixed.transpose();
+                let b = carried.moved(lower.length) - self.mixed - rigid;
+                let shared = (bent + a.carried(lower.length)).inverse();
+                let along = shared * b;
+                let joined = lower.mixed + a.transpose() * (shared * bent);
+                Self {
+                    length: self.length + lower.length,
+                    turns: self.turns + lower.turns,
+                    elastic: joined.carried(-lower.length),
+                    mixed: carried - a.transpose() * along,
+                    rigid: self.rigid + rigid.moved(self.length) - b.transpose() * along,
+                }
+            },
+        )
     }
 }
 
@@ -81,40 +86,56 @@ impl<T: Number> StiffBeam<T> {
 
     /// This below a piece that may be long. Their node moves as the bottom would without the
     /// bending `d = shared (crossᵀ u_top + b u_bottom)`.
-    pub fn below(self, upper: BeamStiffness<T>) -> BeamStiffness<T> {
-        let back = -self.length;
-        let mixed = self.mixed.carried(back);
-        let b = (upper.bottom + self.rigid - self.mixed.moved(self.length)).carried(back);
-        let shared = (self.elastic.moved(self.length) + b - self.mixed.transpose()).inverse();
-        let bent = self.elastic - mixed;
-        let along = shared * upper.cross.transpose();
-        BeamStiffness {
-            top: upper.top - upper.cross.carried(back) * along,
-            cross: (bent * along).transpose(),
-            bottom: mixed + bent * (shared * b),
-        }
+    pub fn below(&self, upper: &BeamStiffness<T>) -> BeamStiffness<T> {
+        T::wide(
+            #[inline(always)]
+            || {
+                let back = -self.length;
+                let mixed = self.mixed.carried(back);
+                let b = (upper.bottom + self.rigid - self.mixed.moved(self.length)).carried(back);
+                let shared =
+                    (self.elastic.moved(self.length) + b - self.mixed.transpose()).inverse();
+                let bent = self.elastic - mixed;
+                let along = shared * upper.cross.transpose();
+                BeamStiffness {
+                    top: upper.top - upper.cross.carried(back) * along,
+                    cross: (bent * along).transpose(),
+                    bottom: mixed + bent * (shared * b),
+                }
+            },
+        )
     }
 
     /// The motion of the bottom, which meets a stiffness, by that of the top: that of a rigid
     /// piece, and what it bends by.
-    pub fn carried(self, below: Block<T>) -> Block<T> {
-        let (zero, one) = (T::zero(), T::real(1.0));
-        let rigid = Block([[one, T::real(self.length)], [zero, one]]);
-        let load = self.mixed + below.carried(self.length);
-        rigid - (self.elastic + below).inverse() * load
+    pub fn carried(&self, below: Block<T>) -> Block<T> {
+        T::wide(
+            #[inline(always)]
+            || {
+                let (zero, one) = (T::zero(), T::real(1.0));
+                let rigid = Block([[one, T::real(self.length)], [zero, one]]);
+                let load = self.mixed + below.carried(self.length);
+                rigid - (self.elastic + below).inverse() * load
+            },
+        )
     }
 
     /// This above a piece that may be long. It bends by `−shared (b u_top + cross u_bottom)`.
-    pub fn above(self, lower: BeamStiffness<T>) -> BeamStiffness<T> {
-        let top = lower.top.carried(self.length);
-        let b = self.mixed + top;
-        let shared = (self.elastic + lower.top).inverse();
-        let along = shared * lower.cross;
-        BeamStiffness {
-            top: self.rigid + top.moved(self.length) - b.transpose() * (shared * b),
-            cross: lower.cross.moved(self.length) - b.transpose() * along,
-            bottom: lower.bottom - lower.cross.transpose() * along,
-        }
+    pub fn above(&self, lower: &BeamStiffness<T>) -> BeamStiffness<T> {
+        T::wide(
+            #[inline(always)]
+            || {
+                let top = lower.top.carried(self.length);
+                let b = self.mixed + top;
+                let shared = (self.elastic + lower.top).inverse();
+                let along = shared * lower.cross;
+                BeamStiffness {
+                    top: self.rigid + top.moved(self.length) - b.transpose() * (shared * b),
+                    cross: lower.cross.moved(self.length) - b.transpose() * along,
+                    bottom: lower.bottom - lower.cross.transpose() * along,
+                }
+            },
+        )
     }
 }
 

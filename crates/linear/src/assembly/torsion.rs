@@ -8,7 +8,7 @@
 
 use num_complex::Complex64;
 
-use super::chain::Stiffness;
+use super::chain::{Stiffness, hung};
 use super::matrix::ResponseMatrix;
 use super::nodes::{Nodes, Piece, StiffnessBetween};
 use super::number::Number;
@@ -25,6 +25,7 @@ impl<T: Number> DynamicStiffness<T> {
     /// wave that goes down it is multiplied by (m − p)/(m + p) from node to node. What turns
     /// a short piece as a rigid body is so far less than what twists it that joining pieces
     /// one by one would lose it to rounding.
+    #[inline(always)]
     pub fn row(alike: T, opposite: T, pieces: usize) -> Self {
         let sum = opposite + alike;
         if pieces == 1 {
@@ -51,6 +52,7 @@ impl<T: Number> DynamicStiffness<T> {
 }
 
 /// The power zⁿ, its square, and 1 + z² + … of n terms, by doubling.
+#[inline(always)]
 fn powers<T: Number>(z: T, n: usize) -> (T, T, T) {
     let mut power = T::real(1.0);
     let (mut squared, mut sum) = (power, T::real(0.0));
@@ -68,15 +70,17 @@ fn powers<T: Number>(z: T, n: usize) -> (T, T, T) {
 }
 
 impl<T: Number> Stiffness for DynamicStiffness<T> {
-    fn join(self, lower: Self) -> Self {
+    #[inline(always)]
+    fn join(&self, lower: &Self) -> Self {
         self.joined(lower)
     }
 
     /// Where pieces meet, the top of one and the bottom of another add up to what two ends
     /// alike do: a piece that is stiffer from above is so at the top of the row alone.
-    fn repeated(self, count: usize) -> Self {
+    #[inline(always)]
+    fn repeated(&self, count: usize) -> Self {
         match count {
-            1 => return self,
+            1 => return *self,
             // A few joins take less time than a row.
             2 => return self.join(self),
             3 => return self.join(self).join(self),
@@ -155,7 +159,7 @@ pub fn torque_at_surface<T: Number>(
     pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
     drive: Option<Drive<T>>,
 ) -> T {
-    let whole = pieces.flatten().reduce(Stiffness::join);
+    let whole = pieces.flatten().reduce(hung);
     // Below its lower end there is nothing.
     let resists = whole.map_or(T::zero(), |whole| whole.above(T::zero()));
     match drive {
@@ -188,7 +192,7 @@ pub fn at_surface<T: Number>(
     drive: Drive<T>,
 ) -> AtSurface<T> {
     let pieces: Vec<_> = pieces.collect();
-    let whole = (pieces.iter().copied().flatten()).reduce(Stiffness::join);
+    let whole = (pieces.iter().copied().flatten()).reduce(hung);
     let resists = whole.map_or(T::zero(), |whole| whole.above(T::zero()));
     let moved = (drive.opposes + resists).inverse();
     // A drive that turned the surface with the set motion itself would be that torque.
@@ -314,7 +318,7 @@ mod tests {
                         let error = (found - expected).norm() / largest(&joined);
                         assert!(error < 1e-10, "{index} {count}: {found} {expected}");
                     }
-                    joined = joined.join(cell);
+                    joined = joined.join(&cell);
                 }
             }
         }

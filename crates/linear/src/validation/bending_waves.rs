@@ -302,7 +302,7 @@ fn tube_by_tube(
                 let part = Tube { length, ..tube };
                 let mass = string.mass_sideways(&part, None);
                 let part = uniform(bending, &part, Resistance::constant(bending, mass, s));
-                *span = Some(span.map_or(part, |upper| upper.join(part)));
+                *span = Some(span.map_or(part, |upper| upper.join(&part)));
             }
         }
         left -= above;

@@ -3,7 +3,7 @@
 
 use super::academic::{self, SAMPLING_FREQUENCY, tube};
 use linear::RaisedCosine;
-use linear::assembly::chain::{self, Ends, Stiffness};
+use linear::assembly::chain::{self, Ends};
 use linear::assembly::torsion::DynamicStiffness;
 use linear::distributed_loss::LossAlong;
 use linear::estimates::{
@@ -305,7 +305,7 @@ fn val_a_string_turned_over_has_its_ends_exchanged() {
             let pieces = string.sections().iter().filter_map(|section| {
                 chain::section(section, Ends::Both, |tube| bare(string, tube, s))
             });
-            pieces.reduce(Stiffness::join).unwrap()
+            pieces.reduce(chain::hung).unwrap()
         };
         let (one, other) = (whole(&string), whole(&upside_down));
         for (a, b) in [

@@ -56,7 +56,7 @@ impl<T: Number> Resistance<T> {
 pub fn uniform<T: Number>(bending: &Bending, tube: &Tube, resistance: Resistance<T>) -> Beam<T> {
     let (mut stiffness, halvings) = short_part_of(bending, tube, resistance);
     for _ in 0..halvings {
-        stiffness = stiffness.join(stiffness);
+        stiffness = stiffness.join(&stiffness);
     }
     stiffness
 }
@@ -136,10 +136,14 @@ fn short_part_of<T: Number>(
     let compression = bending.compression * length * length / rigidity;
     let foundation = q * (length.powi(4) / rigidity);
     let unit = match resistance.stiffening {
-        None => short_beam(compression, foundation),
-        Some(stiffening) => {
-            short_beam(stiffening.inverse() * compression, foundation).multiplied(stiffening)
-        }
+        None => T::wide(
+            #[inline(always)]
+            || short_beam(compression, foundation),
+        ),
+        Some(stiffening) => T::wide(
+            #[inline(always)]
+            || short_beam(stiffening.inverse() * compression, foundation).multiplied(stiffening),
+        ),
     };
     let short = StiffBeam {
         turns,
@@ -220,6 +224,7 @@ impl<T: Number> Compression<T> for T {
     }
 }
 
+#[inline(always)]
 fn power_series<T: Number>(p: impl Compression<T>, q: T, j: usize) -> Bent<T> {
     let zero = T::real(0.0);
     let mut coefficients = [zero; POWERS];
@@ -254,8 +259,10 @@ fn power_series<T: Number>(p: impl Compression<T>, q: T, j: usize) -> Bent<T> {
 }
 
 /// Stiffness of a beam of unit length and rigidity.
+#[inline(always)]
 fn short_beam<T: Number>(p: impl Compression<T>, q: T) -> StiffBeam<T> {
-    let [u0, u1, u2, u3] = [0, 1, 2, 3].map(|j| power_series(p, q, j));
+    let (u0, u1) = (power_series(p, q, 0), power_series(p, q, 1));
+    let (u2, u3) = (power_series(p, q, 2), power_series(p, q, 3));
     let constant = |rows: [[f64; 2]; 2]| Block(rows.map(|row| row.map(T::real)));
     // What it bends by: near · (x, x′)(0) + far · (a₂, a₃), with x″ = 2 a₂ and x‴ = 6 a₃.
     let motions = |u: &Bent<T>, v: &Bent<T>| Block([0, 1].map(|row| [u.ends[row], v.ends[row]]));

@@ -35,7 +35,7 @@
 
 use std::sync::Arc;
 
-use crate::assembly::chain::Stiffness;
+use crate::assembly::chain::{Stiffness, hung};
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
     AtSurface, Drive, Driven, DynamicStiffness, TorsionAdmittance, at_surface, late_in_steps,
@@ -210,7 +210,7 @@ impl Lattice {
         let runs: Vec<Option<DynamicStiffness<T>>> = runs.collect();
         self.spans.iter().map(move |span| {
             let between = span.iter().filter_map(|run| runs[*run]);
-            between.reduce(DynamicStiffness::join)
+            between.reduce(hung)
         })
     }
 
@@ -400,6 +400,14 @@ impl<'a, T: Number> Waves<'a, T> {
 
 impl Run {
     fn stiffness<T: Number>(&self, waves: &Waves<'_, T>) -> Option<DynamicStiffness<T>> {
+        T::wide(
+            #[inline(always)]
+            || self.stiffness_of(waves),
+        )
+    }
+
+    #[inline(always)]
+    fn stiffness_of<T: Number>(&self, waves: &Waves<'_, T>) -> Option<DynamicStiffness<T>> {
         let plain = self.cell(0, waves);
         if self.longer == 0 {
             return plain.map(|cell| cell.repeated(self.cells));
@@ -413,26 +421,28 @@ impl Run {
     }
 
     /// A cell with `more` further pieces; `None` where it has no pieces.
+    #[inline(always)]
     fn cell<T: Number>(&self, more: usize, waves: &Waves<'_, T>) -> Option<DynamicStiffness<T>> {
-        let parts = self.parts.iter().enumerate().filter_map(|(index, part)| {
-            let more = if index == self.longest { more } else { 0 };
-            part.stiffness(part.pieces + more, waves)
-        });
-        parts.reduce(DynamicStiffness::join)
+        let pieces_of = |(index, part): (usize, &'_ Part)| match index == self.longest {
+            true => part.pieces + more,
+            false => part.pieces,
+        };
+        let parts = self.parts.iter().enumerate();
+        let mut parts = parts.map(|it| (it.1, pieces_of(it))).filter(|it| it.1 > 0);
+        let (uppermost, pieces) = parts.next()?;
+        let mut cell = uppermost.stiffness(pieces, waves);
+        for (part, pieces) in parts {
+            cell = cell.join(&part.stiffness(pieces, waves));
+        }
+        Some(cell)
     }
 }
 
 impl Part {
     /// Torques per speed of a number of pieces in a row. A piece has Z(1 + ζ²)/(1 − ζ²) +
     /// D/2 at either end and −2Zζ/(1 − ζ²) across.
-    fn stiffness<T: Number>(
-        &self,
-        pieces: usize,
-        waves: &Waves<'_, T>,
-    ) -> Option<DynamicStiffness<T>> {
-        if pieces == 0 {
-            return None;
-        }
+    #[inline(always)]
+    fn stiffness<T: Number>(&self, pieces: usize, waves: &Waves<'_, T>) -> DynamicStiffness<T> {
         let dashpot = 0.5 * self.damping / pieces as f64;
         let mut alike = waves.alike * self.impedance + dashpot;
         let mut opposite = waves.opposite * self.impedance + dashpot;
@@ -440,13 +450,14 @@ impl Part {
             let mud = mud * (0.5 * self.tube.length / pieces as f64);
             (alike, opposite) = (alike + mud, opposite + mud);
         }
-        Some(DynamicStiffness::row(alike, opposite, pieces))
+        DynamicStiffness::row(alike, opposite, pieces)
     }
 }
 
 /// Two kinds of cells in a row, each in its number, spread as evenly as can be: by
 /// Euclid's algorithm, whose groups become the cells of the next step. The one that is
 /// rarer is in the middle of its group, so that places are off to either side alike.
+#[inline(always)]
 fn evenly<S: Stiffness>((mut many, mut count): (S, usize), (mut few, mut others): (S, usize)) -> S {
     while others > 0 {
         if count < others {
@@ -455,12 +466,12 @@ fn evenly<S: Stiffness>((mut many, mut count): (S, usize), (mut few, mut others)
         }
         let each = count / others;
         let group = match each / 2 {
-            0 => many.join(few),
+            0 => many.join(&few),
             half => {
                 let below = many.repeated(half);
                 let is_odd = each % 2 == 1;
-                let above = if is_odd { many.join(below) } else { below };
-                above.join(few).join(below)
+                let above = if is_odd { many.join(&below) } else { below };
+                above.join(&few).join(&below)
             }
         };
         (many, few) = (group, many);

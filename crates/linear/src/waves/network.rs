@@ -23,7 +23,7 @@
 use num_complex::Complex64;
 
 use super::torsion::uniform;
-use crate::assembly::chain::{self, Ends, Stiffness};
+use crate::assembly::chain::{self, Ends};
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
     AtSurface, Drive, DynamicStiffness, TorsionAdmittance, at_surface, late, reduce,
@@ -108,7 +108,7 @@ impl TorsionNetwork<'_> {
     /// response of the bit it has no poles, not even near the zeros of modes that the bit hardly
     /// feels.
     pub(crate) fn characteristic(&self, s: Complex64) -> Complex64 {
-        let whole = self.pieces(s).flatten().reduce(Stiffness::join);
+        let whole = self.pieces(s).flatten().reduce(chain::hung);
         let Some(DynamicStiffness { top, cross, bottom }) = whole else {
             return Complex64::ONE;
         };
