@@ -245,7 +245,7 @@ impl<'a> CascadePlan<'a> {
                 most,
                 longest: transformable(longest.ceil() as usize),
                 channels,
-                on_thread: working_bytes(nodes.len(), 1),
+                on_thread: working_bytes::<Lanes>(nodes.len(), 1),
             },
             pieces,
         })

@@ -176,7 +176,7 @@ fn train(lattice: &Lattice, time: f64) -> Result<Vec<f64>, BuildError> {
 fn need(lattice: &Lattice, time: f64) -> Need {
     impulses(lattice, time).map_or(Need::default(), |impulses| {
         let buffers = buffers(transformable(impulses), 1, Sampling::Wide);
-        Need::passing(buffers.need(working_bytes(1, 1)).peak)
+        Need::passing(buffers.need(working_bytes::<Lanes>(1, 1)).peak)
     })
 }
 

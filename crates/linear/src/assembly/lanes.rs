@@ -10,19 +10,26 @@ use num_complex::Complex64;
 use super::nodes::Relation;
 use super::number::{Number, root};
 
-/// How many.
-const COUNT: usize = 4;
-
 /// Complex numbers at several frequencies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Lanes {
+pub struct LanesOf<const COUNT: usize> {
     re: [f64; COUNT],
     im: [f64; COUNT],
 }
 
+/// Four: as many as pay where so much is at work that more would not stay in the registers.
+pub type Lanes = LanesOf<4>;
+
+/// Eight, as they pay where only a few numbers are at work at a time.
+pub type ManyLanes = LanesOf<8>;
+
 /// Real and imaginary parts of each lane from those of two operands.
 #[inline(always)]
-fn zip(one: Lanes, other: Lanes, f: impl Fn([f64; 2], [f64; 2]) -> [f64; 2]) -> Lanes {
+fn zip<const COUNT: usize>(
+    one: LanesOf<COUNT>,
+    other: LanesOf<COUNT>,
+    f: impl Fn([f64; 2], [f64; 2]) -> [f64; 2],
+) -> LanesOf<COUNT> {
     let (mut re, mut im) = ([0.0; COUNT], [0.0; COUNT]);
     for lane in 0..COUNT {
         [re[lane], im[lane]] = f(
@@ -30,16 +37,19 @@ fn zip(one: Lanes, other: Lanes, f: impl Fn([f64; 2], [f64; 2]) -> [f64; 2]) -> 
             [other.re[lane], other.im[lane]],
         );
     }
-    Lanes { re, im }
+    LanesOf { re, im }
 }
 
 /// The same of one operand.
 #[inline(always)]
-fn map(one: Lanes, f: impl Fn([f64; 2]) -> [f64; 2]) -> Lanes {
+fn map<const COUNT: usize>(
+    one: LanesOf<COUNT>,
+    f: impl Fn([f64; 2]) -> [f64; 2],
+) -> LanesOf<COUNT> {
     zip(one, one, |one, _| f(one))
 }
 
-impl Add for Lanes {
+impl<const COUNT: usize> Add for LanesOf<COUNT> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -47,7 +57,7 @@ impl Add for Lanes {
     }
 }
 
-impl Sub for Lanes {
+impl<const COUNT: usize> Sub for LanesOf<COUNT> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -55,7 +65,7 @@ impl Sub for Lanes {
     }
 }
 
-impl Mul for Lanes {
+impl<const COUNT: usize> Mul for LanesOf<COUNT> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -63,7 +73,7 @@ impl Mul for Lanes {
     }
 }
 
-impl Neg for Lanes {
+impl<const COUNT: usize> Neg for LanesOf<COUNT> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -71,7 +81,7 @@ impl Neg for Lanes {
     }
 }
 
-impl Add<f64> for Lanes {
+impl<const COUNT: usize> Add<f64> for LanesOf<COUNT> {
     type Output = Self;
     #[inline(always)]
     fn add(self, real: f64) -> Self {
@@ -79,7 +89,7 @@ impl Add<f64> for Lanes {
     }
 }
 
-impl Sub<f64> for Lanes {
+impl<const COUNT: usize> Sub<f64> for LanesOf<COUNT> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, real: f64) -> Self {
@@ -87,7 +97,7 @@ impl Sub<f64> for Lanes {
     }
 }
 
-impl Mul<f64> for Lanes {
+impl<const COUNT: usize> Mul<f64> for LanesOf<COUNT> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, real: f64) -> Self {
@@ -95,7 +105,7 @@ impl Mul<f64> for Lanes {
     }
 }
 
-impl Relation for Lanes {
+impl<const COUNT: usize> Relation for LanesOf<COUNT> {
     #[inline(always)]
     fn zero() -> Self {
         Self::real(0.0)
@@ -120,7 +130,7 @@ impl Relation for Lanes {
     }
 }
 
-impl Number for Lanes {
+impl<const COUNT: usize> Number for LanesOf<COUNT> {
     const LANES: usize = COUNT;
 
     #[inline(always)]
@@ -162,6 +172,8 @@ impl Number for Lanes {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const COUNT: usize = Lanes::LANES;
     use crate::assembly::chain::Stiffness;
     use crate::assembly::torsion::DynamicStiffness;
 
@@ -169,14 +181,14 @@ mod tests {
     #[test]
     fn rows_in_lanes_are_those_of_each() {
         let number = |lane: usize| Complex64::new(0.1 + lane as f64, (3.7 * lane as f64).cos());
-        let alike = Lanes::of_lanes(number);
+        let alike = ManyLanes::of_lanes(number);
         let opposite = alike.inverse() + 0.3;
         for pieces in [1, 2, 5, 300] {
-            let lanes = Lanes::wide(
+            let lanes = ManyLanes::wide(
                 #[inline(always)]
                 || DynamicStiffness::row(alike, opposite, pieces).repeated(3),
             );
-            for lane in 0..COUNT {
+            for lane in 0..ManyLanes::LANES {
                 let (alike, opposite) = (alike.lane(lane), opposite.lane(lane));
                 let alone = DynamicStiffness::row(alike, opposite, pieces).repeated(3);
                 assert_eq!(lanes.top.lane(lane), alone.top);

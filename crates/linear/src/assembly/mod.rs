@@ -17,7 +17,7 @@ pub mod torsion;
 /// Bytes that a thread works with at the frequencies that it looks at together: pieces between
 /// nodes of a number of sites, with a number of entries each, what they are joined to, and the
 /// responses.
-pub(crate) fn working_bytes(sites: usize, entries: usize) -> f64 {
+pub(crate) fn working_bytes<T: number::Number>(sites: usize, entries: usize) -> f64 {
     let numbers = 7 * (sites + 1) * entries + 3 * sites * sites;
-    (size_of::<lanes::Lanes>() * numbers) as f64
+    (size_of::<T>() * numbers) as f64
 }

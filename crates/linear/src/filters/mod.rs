@@ -21,7 +21,7 @@ use crate::parallel;
 pub(crate) use buffers::Buffers;
 
 /// Puts down what every channel answers at s, several of them at a time.
-pub(crate) type ResponseAt<'a> = dyn Fn(Lanes, &mut [Lanes]) + Sync + 'a;
+pub(crate) type ResponseAt<'a, T = Lanes> = dyn Fn(T, &mut [T]) + Sync + 'a;
 
 /// Channels whose spectra are gathered at once: side by side they are in the same lines of memory.
 const GATHERED: usize = 4;
@@ -39,24 +39,24 @@ fn gathering(channels: usize) -> (usize, usize) {
 
 /// Evaluates every channel at `variable(0)`, …, one for each frequency of the buffers, several of
 /// them at a time; then makes of the spectrum of each channel what is wanted.
-fn sample<Made: Send>(
+fn sample<T: Number + Send, Made: Send>(
     buffers: Buffers,
     variable: &(dyn Fn(usize) -> Complex64 + Sync),
-    response: &ResponseAt<'_>,
+    response: &ResponseAt<'_, T>,
     make: &(dyn Fn(Vec<Complex64>) -> Made + Sync),
 ) -> Vec<Made> {
     let (channels, count) = (buffers.channels, buffers.frequencies());
     let mut rows = vec![Complex64::ZERO; count * channels];
-    let no_values = || vec![Lanes::real(0.0); channels];
+    let no_values = || vec![T::real(0.0); channels];
     parallel::chunks_mut(
         &mut rows,
-        (Lanes::LANES * channels, 64),
+        (T::LANES * channels, 64),
         no_values,
         |values, (chunk, rows)| {
-            let first = Lanes::LANES * chunk;
+            let first = T::LANES * chunk;
             // Beyond the end there is nothing to fill; the last one serves.
             let point = |lane: usize| variable((first + lane).min(count - 1));
-            response(Lanes::of_lanes(point), values);
+            response(T::of_lanes(point), values);
             for (lane, row) in rows.chunks_mut(channels).enumerate() {
                 for (entry, value) in row.iter_mut().zip(values.iter()) {
                     *entry = value.lane(lane);

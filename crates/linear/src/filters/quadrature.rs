@@ -157,21 +157,21 @@ pub fn taps(
 }
 
 /// The first `count` coefficients of every channel's generating function of ζ, |ζ| < 1.
-pub(crate) fn series(
+pub(crate) fn series<T: Number + Send>(
     count: usize,
     channels: usize,
     sampling: Sampling,
-    generating: &ResponseAt<'_>,
+    generating: &ResponseAt<'_, T>,
 ) -> Vec<Vec<f64>> {
     series_made(count, channels, sampling, generating, &|taps| taps)
 }
 
 /// The same, each made into something else before the next ones are there.
-pub(crate) fn series_made(
+pub(crate) fn series_made<T: Number + Send>(
     count: usize,
     channels: usize,
     sampling: Sampling,
-    generating: &ResponseAt<'_>,
+    generating: &ResponseAt<'_, T>,
     make: &(dyn Fn(Vec<f64>) -> Vec<f64> + Sync),
 ) -> Vec<Vec<f64>> {
     let buffers = buffers(count, channels, sampling);

@@ -140,7 +140,7 @@ impl<'a> BendingPlan<'a> {
         };
         let kept = REAL * (responses * self.taps) as f64;
         let made = match &self.poles {
-            None => self.buffers.need(working_bytes(nodes, 4)),
+            None => self.buffers.need(working_bytes::<Lanes>(nodes, 4)),
             Some(poles) => poles.need().then(Need::lasting(kept)),
         };
         match self.method {

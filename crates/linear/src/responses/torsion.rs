@@ -64,7 +64,7 @@ impl<'a> TorsionPlan<'a> {
         trains: Option<&'a ImpulseTrains>,
     ) -> Result<Self, BuildError> {
         let channels = wanted.count(request.sites.len());
-        let on_thread = working_bytes(request.sites.len(), 1);
+        let on_thread = working_bytes::<Lanes>(request.sites.len(), 1);
         let rounds = |scheme: Scheme| {
             let loss = loss_per_step(string, scheme, request.sampling_frequency);
             let continuing = (Sampling::Close, loss);
@@ -117,7 +117,7 @@ impl<'a> TorsionPlan<'a> {
 
     /// What building takes.
     pub(super) fn need(&self) -> Need {
-        let on_thread = working_bytes(self.request.sites.len(), 1);
+        let on_thread = working_bytes::<Lanes>(self.request.sites.len(), 1);
         match &self.lengths {
             Lengths::Rounds(rounds) => rounds.need(),
             Lengths::Transform(buffers) => buffers.need(on_thread),

@@ -4,7 +4,7 @@ use super::request::{ChannelRequest, Request};
 use super::rounds::{Built, Rounds, bytes_of};
 use super::slowest::{Scheme, loss_per_step};
 use super::wanted::Wanted;
-use crate::assembly::lanes::Lanes;
+use crate::assembly::lanes::ManyLanes;
 use crate::assembly::working_bytes;
 use crate::budget::{Budget, Need, REAL, What};
 use crate::drillstring::{Drillstring, StringId};
@@ -131,7 +131,7 @@ impl<'a> TrainsPlan<'a> {
         let lattice = Lattice::new(string, &request.sites)?;
         let sites = request.sites.len();
         let different = wanted.different(sites);
-        let size = (different.len(), working_bytes(sites, 1));
+        let size = (different.len(), working_bytes::<ManyLanes>(sites, 1));
         let on_lattice = on_lattice(request, &lattice);
         let loss = loss_per_step(string, Scheme::Lattice, on_lattice.sampling_frequency);
         let rounds = Rounds::new(string, &on_lattice, (held::SAMPLING, loss), size);
@@ -246,7 +246,7 @@ impl<'a> TrainsPlan<'a> {
         let Self {
             wanted, lattice, ..
         } = self;
-        let response = |zeta: Lanes, responses: &mut [Lanes]| {
+        let response = |zeta: ManyLanes, responses: &mut [ManyLanes]| {
             let torque = || lattice.surface_torque(zeta);
             let surface = || lattice.at_surface(zeta);
             wanted.write_some(places, || lattice.driven(zeta), torque, surface, responses);

@@ -1,6 +1,7 @@
 //! Which responses in torsion are wanted, and where they stand in a list.
 
 use crate::assembly::lanes::Lanes;
+use crate::assembly::number::Number;
 use crate::assembly::torsion::{AtSurface, Driven};
 use crate::waves::TorsionAdmittance;
 
@@ -70,13 +71,13 @@ impl<'a> Wanted<'a> {
     }
 
     /// Writes some of them, by place in rising order.
-    pub(super) fn write_some(
+    pub(super) fn write_some<T: Number>(
         self,
         places: &[usize],
-        driven: impl FnOnce() -> Driven<Lanes>,
-        surface_torque: impl FnOnce() -> Lanes,
-        at_surface: impl FnOnce() -> Option<AtSurface<Lanes>>,
-        responses: &mut [Lanes],
+        driven: impl FnOnce() -> Driven<T>,
+        surface_torque: impl FnOnce() -> T,
+        at_surface: impl FnOnce() -> Option<AtSurface<T>>,
+        responses: &mut [T],
     ) {
         let torques = match self {
             Wanted::Sites { torques } => torques,
@@ -140,8 +141,8 @@ impl<'a> Wanted<'a> {
 }
 
 /// All responses at the surface, in their order; a plan for these has a drive.
-fn all_at_surface(found: Option<AtSurface<Lanes>>) -> Vec<Lanes> {
-    let own = |at: &AtSurface<Lanes>| [at.by_set, at.by_torque];
+fn all_at_surface<T: Number>(found: Option<AtSurface<T>>) -> Vec<T> {
+    let own = |at: &AtSurface<T>| [at.by_set, at.by_torque];
     let all = found
         .iter()
         .flat_map(|at| own(at).into_iter().chain(at.sites_by_torque.clone()));
