@@ -383,6 +383,13 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 let (_, end) = drive.meet((0, line(0)), |line| ((), free_end(line)));
                 (0, end)
             }),
+            // Nothing but the law: its answer is put together where it is kept.
+            (Some((law, port)), _) if motor.is_none() && self.drive.is_none() => {
+                let bit = law.meet(&self.bit_state, line(port));
+                let (torque, speed) = (bit.torque, bit.speed);
+                self.now.bit = Some(bit);
+                Some((port, StringEnd { torque, speed }))
+            }
             (Some((law, port)), _) => {
                 let act = |line| meet_bit(law, &self.bit_state, motor, line);
                 let (bit, end) = match &mut self.drive {
@@ -479,66 +486,70 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             turning: free,
         };
         let mut wavering = Wavering::default();
-        let settled = coupling.settle(free, |port, unloaded: Unloaded| {
-            let line = LoadLine {
-                time,
-                free_speed: unloaded.speed,
-                compliance: within.compliance(port),
-            };
-            let wall = lateral.and_then(|lateral| Some((lateral, lateral.wall_at(port)?)));
-            let before;
-            let torque = match (&*bit, &*axial, friction.get(port)) {
-                _ if WALLS_ALONE => PortTorque::Free,
-                (Some((law, at)), _, _) if *at == port => {
-                    before = wavering.released().unwrap_or(bit_state).clone();
-                    PortTorque::Bit(*law, &before, motor)
-                }
-                (_, Some((axial, at)), _) if *at == port => PortTorque::Cut(axial, motor),
-                (_, _, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
-                _ => PortTorque::Free,
-            };
-            let guess = unloaded.guess.unwrap_or(now.speeds[port]);
-            let of_contact =
-                |error| SimulationError::of_contact(error, system.torsion.loaded()[port], time);
-            let (law, solved) = match wall {
-                None => {
-                    let turn = torque.turn(line, guess);
-                    let solved = torque.solved(&turn, &Contact::NONE);
-                    (turn.law, solved)
-                }
-                Some((lateral, (at, wall))) if torque.is_free() => {
-                    let met = lateral.meet(at, wall, (&unloaded, &now.contacts[at]), line);
-                    let (contact, solved) = met.map_err(of_contact)?;
-                    now.contacts[at] = contact;
-                    (Turned::Free, solved)
-                }
-                Some((lateral, (at, wall))) => {
-                    let approach = lateral.approach(at, (&unloaded, &now.contacts[at]), line);
-                    let met = torque.turn_at_wall(wall, &approach, line, guess);
-                    let (contact, turn) = met.map_err(of_contact)?;
-                    let mut solved = torque.solved(&turn, &contact);
-                    if let Some(spring) = lateral.spring(at) {
-                        solved.take_back(spring, contact.position);
+        let settled = coupling.settle(
+            free,
+            #[inline(always)]
+            |port, unloaded: Unloaded| {
+                let line = LoadLine {
+                    time,
+                    free_speed: unloaded.speed,
+                    compliance: within.compliance(port),
+                };
+                let wall = lateral.and_then(|lateral| Some((lateral, lateral.wall_at(port)?)));
+                let before;
+                let torque = match (&*bit, &*axial, friction.get(port)) {
+                    _ if WALLS_ALONE => PortTorque::Free,
+                    (Some((law, at)), _, _) if *at == port => {
+                        before = wavering.released().unwrap_or(bit_state).clone();
+                        PortTorque::Bit(*law, &before, motor)
                     }
-                    now.contacts[at] = contact;
-                    (turn.law, solved)
+                    (_, Some((axial, at)), _) if *at == port => PortTorque::Cut(axial, motor),
+                    (_, _, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
+                    _ => PortTorque::Free,
+                };
+                let guess = unloaded.guess.unwrap_or(now.speeds[port]);
+                let of_contact =
+                    |error| SimulationError::of_contact(error, system.torsion.loaded()[port], time);
+                let (law, solved) = match wall {
+                    None => {
+                        let turn = torque.turn(line, guess);
+                        let solved = torque.solved(&turn, &Contact::NONE);
+                        (turn.law, solved)
+                    }
+                    Some((lateral, (at, wall))) if torque.is_free() => {
+                        let met = lateral.meet(at, wall, (&unloaded, &now.contacts[at]), line);
+                        let (contact, solved) = met.map_err(of_contact)?;
+                        now.contacts[at] = contact;
+                        (Turned::Free, solved)
+                    }
+                    Some((lateral, (at, wall))) => {
+                        let approach = lateral.approach(at, (&unloaded, &now.contacts[at]), line);
+                        let met = torque.turn_at_wall(wall, &approach, line, guess);
+                        let (contact, turn) = met.map_err(of_contact)?;
+                        let mut solved = torque.solved(&turn, &contact);
+                        if let Some(spring) = lateral.spring(at) {
+                            solved.take_back(spring, contact.position);
+                        }
+                        now.contacts[at] = contact;
+                        (turn.law, solved)
+                    }
+                };
+                if !(solved.speed.is_finite() && solved.load.torque.is_finite()) {
+                    return Err(system.not_finite(port, time));
                 }
-            };
-            if !(solved.speed.is_finite() && solved.load.torque.is_finite()) {
-                return Err(system.not_finite(port, time));
-            }
-            now.speeds[port] = solved.speed;
-            match law {
-                Turned::Free => {}
-                Turned::Bit(answer) => {
-                    wavering.see(bit.map(|(law, _)| law.motion(&answer)), &answer.state);
-                    now.bit = Some(answer);
+                now.speeds[port] = solved.speed;
+                match law {
+                    Turned::Free => {}
+                    Turned::Bit(answer) => {
+                        wavering.see(bit.map(|(law, _)| law.motion(&answer)), &answer.state);
+                        now.bit = Some(answer);
+                    }
+                    Turned::Cut(cut) => now.cut = Some(cut),
+                    Turned::Pipe(pipe) => now.rubbing[port] = pipe.state,
                 }
-                Turned::Cut(cut) => now.cut = Some(cut),
-                Turned::Pipe(pipe) => now.rubbing[port] = pipe.state,
-            }
-            Ok(solved)
-        })?;
+                Ok(solved)
+            },
+        )?;
         match settled {
             true => Ok(()),
             false => Err(SimulationError::NotSettled { time }),

@@ -186,22 +186,26 @@ pub enum Touch {
 }
 
 /// The answer of the wall in one step.
+///
+/// In this order, as numbers of two pairs that stand next to one another would be read as one, for which
+/// the processor waits until both are in memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
 pub struct Contact {
-    /// How the surfaces meet.
-    pub touch: Touch,
     /// Position of the string's centre, m.
     pub position: [f64; 2],
-    /// Force of the wall on the string, N.
-    pub force: [f64; 2],
     /// Normal force F_N ≥ 0, N.
     pub normal_force: f64,
+    /// Force of the wall on the string, N.
+    pub force: [f64; 2],
     /// Friction over normal force, α, positive along e_θ.
     pub friction_ratio: f64,
     /// Torque of friction on the string, N m.
     pub torque: f64,
     /// Speed at which the surfaces slide, m/s, for a law that asks for that of the step before.
     pub sliding_speed: f64,
+    /// How the surfaces meet.
+    pub touch: Touch,
     /// Whether other friction ratios would have solved the step too, and not what the site did
     /// before but how far it turns decided.
     pub ambiguous: bool,
