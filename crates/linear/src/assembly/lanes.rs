@@ -17,10 +17,12 @@ pub struct LanesOf<const COUNT: usize> {
     im: [f64; COUNT],
 }
 
-/// Four: as many as pay where so much is at work that more would not stay in the registers.
+/// Complex numbers at four frequencies. Bending is cut for all lanes together (`waves::bending`): with
+/// more, its last digits would be others.
 pub type Lanes = LanesOf<4>;
 
-/// Eight, as they pay where only a few numbers are at work at a time.
+/// Complex numbers at eight frequencies, as fill the gaps in torsion, where few numbers are at work at a
+/// time.
 pub type ManyLanes = LanesOf<8>;
 
 /// Real and imaginary parts of each lane from those of two operands.
