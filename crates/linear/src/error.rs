@@ -372,7 +372,9 @@ pub enum BuildError {
     OutOfBudget(#[from] OutOfBudget),
     /// The real part of a response without damping is zero between its
     /// resonances and infinite at them: no samples describe it.
-    #[error("{method} needs damping in {channel}; without it use quadrature or finite-element")]
+    #[error(
+        "{method} needs damping in {channel}; without it use held, quadrature or finite-element"
+    )]
     NeedsDamping {
         /// Name of the method.
         method: &'static str,

@@ -47,7 +47,7 @@ pub fn usual_gamma(content: &FileContent) -> f64 {
 const SITES_BY_RESPONSES: usize = 12;
 
 /// Whether a string bends by poles where a file names no method.
-pub fn is_by_poles(content: &FileContent, setting: &Setting) -> bool {
+pub fn is_by_poles(content: &FileContent, design: &Design, setting: &Setting) -> bool {
     let Some(lateral) = &setting.lateral else {
         return false;
     };
@@ -59,7 +59,29 @@ pub fn is_by_poles(content: &FileContent, setting: &Setting) -> bool {
     is_plain
         && setting.lying.is_some()
         && sites.len() > SITES_BY_RESPONSES
+        && always_loses(content, design)
         && PolePlan::new(&setting.string, bends, sites, frequency).is_ok()
+}
+
+/// Whether something damps a string that bends in every case.
+fn always_loses(content: &FileContent, design: &Design) -> bool {
+    let bending = content.string.bending.as_ref();
+    let viscosity = content.mud.map_or(0.0, |mud| mud.viscosity_cp);
+    [
+        (
+            StringAxis::BendingDamping,
+            bending.map_or(0.0, |bending| bending.damping_ns_m2),
+        ),
+        (StringAxis::MudViscosity, viscosity),
+        (StringAxis::LossFactor, content.string.loss_factor),
+    ]
+    .into_iter()
+    .any(|(axis, given)| {
+        design
+            .ends(Axis::String(axis))
+            .map_or(given, |[least, _]| least)
+            > 0.0
+    })
 }
 
 /// The methods. Parameters of the others are checked too: finite elements draw the whole string for
@@ -91,22 +113,25 @@ pub fn resolve(
             "`poles` are those of a string that bends, and there is no [wall]: take `held`";
         let is_idle = *name == MethodName::Poles && !bends;
         source.refuse_if(is_idle, &format!("methods[{index}]"), message)?;
-        let needs_damping = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);
-        for (channel, has_none, key) in [
+        let is_transformed = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);
+        let loses_none = bends && has_no_damping_in_bending(content, design);
+        let is_by_poles = *name == MethodName::Poles;
+        for (channel, needs_damping, key) in [
             (
                 Channel::Torsion,
-                has_no_damping_in_torsion(content, design),
+                is_transformed && has_no_damping_in_torsion(content, design),
                 "string.torsional_damping_nms_rad_m",
             ),
             (
                 Channel::Bending,
-                content.wall.is_some() && has_no_damping_in_bending(content, design),
+                // Its poles fade as its material does, if not as a whole.
+                loses_none && (is_transformed || is_by_poles && !has_loss(content, design)),
                 "string.bending.damping_ns_m2",
             ),
         ] {
             let method = name.name();
             let message = BuildError::NeedsDamping { method, channel }.to_string();
-            source.refuse_if(needs_damping && has_none, key, message)?;
+            source.refuse_if(needs_damping, key, message)?;
         }
     }
     let names = content.methods.iter();
@@ -128,6 +153,12 @@ fn has_no_damping_in_bending(content: &FileContent, design: &Design) -> bool {
     bending.is_some_and(|bending| bending.damping_ns_m2 == 0.0)
         && !design.axes().contains(&axis)
         && !mud_is_viscous(content, design)
+}
+
+/// Whether the material takes energy from what bends or twists it.
+fn has_loss(content: &FileContent, design: &Design) -> bool {
+    let axis = Axis::String(StringAxis::LossFactor);
+    content.string.loss_factor > 0.0 || design.axes().contains(&axis)
 }
 
 fn finite_element(source: &Source, parameters: &FiniteElement) -> Result<(), SweepFileError> {
@@ -195,5 +226,66 @@ mod tests {
         let given = "method.finite-element.gamma = 0.53\n";
         assert_eq!(gamma("axial.toml", given), 0.53);
         assert_eq!(gamma("fig09.toml", ""), usual);
+    }
+
+    /// A string of 152 m that lies on the ends of its joints.
+    const LYING: &str = r#"
+[string]
+shear_modulus_gpa = 79.3
+density_kg_m3 = 7850
+torsional_damping_nms_rad_m = 0.2
+
+[[string.sections]]
+repeat = 16
+parts = [
+    { length_m = 9, inner_radius_m = 0.0543, outer_radius_m = 0.0635 },
+    { length_m = 0.5, inner_radius_m = 0.0413, outer_radius_m = 0.0825 },
+]
+
+[string.bending]
+youngs_modulus_gpa = 206
+damping_ns_m2 = 20
+
+[well]
+inclination_deg = 60
+hole_diameter_in = 8.5
+
+[wall]
+stiffness_gn_m15 = 1
+friction = 0.3
+clearance = "hole"
+sites = "ends"
+sites_to_m = 120
+
+[design]
+kind = "grid"
+
+[design.axes]
+surface_speed_rpm = { values = [60, 120] }
+"#;
+
+    fn methods(text: &str) -> Vec<Method> {
+        let text_of = |_: &Path, _| Ok(text.to_owned());
+        Sweep::read_from(Path::new("lying.toml"), &[], &text_of)
+            .unwrap()
+            .methods
+    }
+
+    #[test]
+    fn a_string_that_lies_on_many_sites_bends_by_poles_where_all_of_its_sweep_can() {
+        assert_eq!(methods(LYING), [Method::Poles]);
+        for (from, to) in [
+            ("damping_ns_m2 = 20", "damping_ns_m2 = 0"),
+            (
+                "[design.axes]",
+                "[design.axes]\nbending_damping_ns_m2 = { values = [20, 0] }",
+            ),
+        ] {
+            assert_eq!(methods(&LYING.replace(from, to)), [Method::Held], "{to}");
+        }
+        let lossy = "shear_modulus_gpa = 79.3\nloss_factor = 0.002";
+        let lossy = LYING.replace("shear_modulus_gpa = 79.3", lossy);
+        let lossy = lossy.replace("damping_ns_m2 = 20", "damping_ns_m2 = 0");
+        assert_eq!(methods(&lossy), [Method::Poles]);
     }
 }

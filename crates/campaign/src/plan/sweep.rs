@@ -149,7 +149,7 @@ impl Sweep {
         if has_elements && !source.gives_within(["method", "finite-element"], "gamma") {
             content.method.finite_element.gamma = methods::usual_gamma(&content);
         }
-        if !source.gives("methods") && methods::is_by_poles(&content, &setting) {
+        if !source.gives("methods") && methods::is_by_poles(&content, &design, &setting) {
             content.methods = vec![MethodName::Poles];
         }
         string::check_axes(&source, &content, &design)?;

@@ -28,18 +28,27 @@ impl Buffers {
         self.samples / 2 + 1
     }
 
+    /// Bytes that all responses take together, as they are sampled and as they are kept, on any number of
+    /// threads.
+    pub(crate) fn together(self) -> f64 {
+        let (channels, frequencies) = (self.channels as f64, self.frequencies() as f64);
+        COMPLEX * channels * frequencies + self.kept()
+    }
+
+    fn kept(self) -> f64 {
+        REAL * self.channels as f64 * self.taps as f64
+    }
+
     /// All responses are sampled at all frequencies, with a number of bytes on each thread; then
     /// they are transformed, some on each thread.
     pub(crate) fn need(self, on_thread: f64) -> Need {
-        let (channels, frequencies) = (self.channels as f64, self.frequencies() as f64);
-        let sampled = COMPLEX * channels * frequencies;
+        let frequencies = self.frequencies() as f64;
         let (gathered, at_once) = gathering(self.channels);
         let on_each = gathered as f64 * COMPLEX * frequencies + TRANSFORM * self.samples as f64;
         let transformed = PLAN * self.samples as f64 + at_once as f64 * on_each;
-        let kept = REAL * channels * self.taps as f64;
-        let sampling = threads() as f64 * on_thread;
+        let (kept, sampling) = (self.kept(), threads() as f64 * on_thread);
         Need {
-            peak: sampled + sampling.max(transformed + kept),
+            peak: self.together() - kept + sampling.max(transformed + kept),
             kept,
         }
     }

@@ -15,6 +15,7 @@ use crate::elements::beam;
 use crate::elements::mesh::{Mesh, most_elements};
 use crate::error::BuildError;
 use crate::filters::held;
+use crate::method::Method;
 use crate::sites::Sites;
 use crate::waves::lateral::BendingNetwork;
 
@@ -53,7 +54,8 @@ impl<'a> PolePlan<'a> {
     /// Those of a string between its sites, for steps of a sampling frequency, Hz.
     ///
     /// # Errors
-    /// Where the sites are not the string's, it cannot bend so, or it would need too many elements.
+    /// Where the sites are not the string's, it cannot bend so, nothing damps it, or it would need too many
+    /// elements.
     pub fn new(
         string: &'a Drillstring,
         (bending, support): (&'a Bending, SurfaceSupport),
@@ -63,6 +65,11 @@ impl<'a> PolePlan<'a> {
         sites.check(string)?;
         bending.check()?;
         check_sampling(sampling_frequency)?;
+        // A pole that nothing damps stands on the circle where steps are held to be passive.
+        if bending.damping <= 0.0 && !string.loss().has_memory() {
+            let (method, channel) = (Method::Poles.name(), Channel::Bending);
+            return Err(BuildError::NeedsDamping { method, channel });
+        }
         let (length, at) = LONGEST_ELEMENT;
         let longest = length * (at / sampling_frequency).sqrt().min(1.0);
         let elements_per_cell = (string.drillpipe().cell_length() / longest).ceil() as usize;

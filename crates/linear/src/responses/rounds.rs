@@ -8,6 +8,7 @@ use crate::budget::{Budget, Need, REAL, Reserved, What};
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
 use crate::estimates::undershoot_time;
+use crate::filters::Buffers;
 use crate::filters::quadrature::{self, Sampling};
 use crate::passivity::Ending;
 
@@ -116,14 +117,19 @@ impl Rounds {
         })
     }
 
-    /// The same for as many responses side by side as take no more than a number of bytes, on any
-    /// number of threads; one, at least.
-    pub(super) fn within(mut self, bytes: f64) -> Self {
-        let on_thread = std::mem::take(&mut self.on_thread);
-        while self.channels > 1 && self.need().peak > bytes {
-            self.channels -= 1;
+    /// The same for as many responses side by side as take no more than a number of bytes together; one, at
+    /// least.
+    pub(super) fn within(self, bytes: f64) -> Self {
+        let most = (bytes / self.together() * self.channels as f64) as usize;
+        Self {
+            channels: most.clamp(1, self.channels),
+            ..self
         }
-        Self { on_thread, ..self }
+    }
+
+    /// Bytes of the longest round, as it is sampled and kept: what it takes on any number of threads.
+    pub(super) fn together(&self) -> f64 {
+        self.buffers(self.longest).together()
     }
 
     /// Taps of each response, at most.
@@ -142,7 +148,11 @@ impl Rounds {
     }
 
     fn need_of(&self, round: Round) -> Need {
-        quadrature::buffers(round.taps, self.channels, round.sampling).need(self.on_thread)
+        self.buffers(round).need(self.on_thread)
+    }
+
+    fn buffers(&self, round: Round) -> Buffers {
+        quadrature::buffers(round.taps, self.channels, round.sampling)
     }
 
     /// Builds responses of growing length until they have decayed or are at least as long as they

@@ -136,7 +136,7 @@ impl<'a> TrainsPlan<'a> {
         let loss = loss_per_step(string, Scheme::Lattice, on_lattice.sampling_frequency);
         let rounds = Rounds::new(string, &on_lattice, (held::SAMPLING, loss), size);
         let rounds = rounds.map_err(on_its_lattice)?;
-        let all = rounds.within(f64::INFINITY).need().peak;
+        let all = rounds.together();
         let [least, most] = AT_A_TIME;
         Ok(Self {
             rounds,
@@ -307,6 +307,34 @@ mod tests {
             shear_modulus: 79.3e9,
         };
         Drillstring::new(steel, vec![section], damping).unwrap()
+    }
+
+    /// What is cut as trains that are made together have decayed is the same with any number of threads.
+    #[cfg(feature = "parallel")]
+    #[test]
+    fn as_many_trains_are_made_at_a_time_on_one_thread_as_on_sixteen() {
+        let string = string(0.5);
+        let places: Vec<f64> = (0..12).map(|place| 50.0 * f64::from(place)).collect();
+        let torques: Vec<usize> = (0..12).collect();
+        let at_a_time = |threads: usize, longest_time: f64| {
+            let request = Request {
+                sites: Sites::new(&string, &places).unwrap(),
+                channels: Vec::new(),
+                sampling_frequency: 100.0,
+                longest_time,
+            };
+            let wanted = Wanted::Sites { torques: &torques };
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            pool.unwrap().install(|| {
+                let plan = TrainsPlan::new(&string, &request, wanted).unwrap();
+                (plan.different.len(), plan.at_a_time.channels())
+            })
+        };
+        for longest_time in [1.0, 20.0, 200.0] {
+            assert_eq!(at_a_time(1, longest_time), at_a_time(16, longest_time));
+        }
+        let (all, some) = at_a_time(2, 200.0);
+        assert!(1 < some && some < all, "{some} of {all}");
     }
 
     /// To the last bit where nothing is cut before the end of the simulation; else up to what a
