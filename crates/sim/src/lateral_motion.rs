@@ -175,9 +175,9 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
 
     /// The torques of the walls on a string that slides at the beginning, N m, with their ports.
     pub(crate) fn resting_torques(&self) -> impl Iterator<Item = (usize, f64)> + use<'_, 'a, W> {
-        let torques = self.scene.lying.iter().flat_map(|lying| &lying.torques);
-        let ports = self.walls.ports().iter().copied();
-        ports
+        let lying = self.scene.lying.as_ref();
+        let torques = lying.map_or(&[][..], |lying| &lying.torques).iter();
+        (self.walls.ports().iter().copied())
             .zip(torques.copied())
             .filter(|(_, torque)| *torque != 0.0)
     }

@@ -43,32 +43,28 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod met;
 mod seen;
 
 use linear::SteadyMotion;
 
 use crate::axial_motion::AxialMotion;
-use crate::coupling::{Coupling, Free, Unloaded};
+use crate::coupling::Coupling;
 use crate::error::SimulationError;
 use crate::lateral_motion::LateralMotion;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
 use crate::laws::cutting::CutStep;
-use crate::laws::motor::{MotorMotion, StringEnd};
+use crate::laws::motor::MotorMotion;
 use crate::laws::pipe::{OnLines, PipeFriction, PipeMotion};
-use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
+use crate::laws::torque::{TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
 use crate::limited_drive::DriveMotion;
 use crate::line::pieces::SurfaceStep;
-use crate::line::{Torsion, TorsionPast, Within};
-use crate::port::{PortTorque, Turned, meet_bit, meet_cut};
+use crate::line::{TorsionPast, Within};
 use crate::scene::Scene;
 use crate::start::Start;
 use crate::system::System;
-use crate::wavering::Wavering;
-
-/// Turns in which a drive whose torque is limited and the ports below it have to agree.
-const MOST_TURNS_OF_DRIVE: usize = 100;
 
 /// One step of all sites that may bear a load.
 #[derive(Debug, Clone)]
@@ -97,6 +93,7 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     scene: &'a Scene<B, W>,
     /// The law of the bit, and its port.
     bit: Option<(&'a B, usize)>,
+    acting: Acting,
     /// The friction of each port on its load lines; nothing where the string rubs nowhere.
     friction: Vec<Option<OnLines>>,
     reference: Reference<'a>,
@@ -125,6 +122,17 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     free: Vec<f64>,
     step_torques: Vec<f64>,
     now: Step<B::State>,
+}
+
+/// What acts on a string. Steps of plain scenes do not pay for the others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Acting {
+    /// The law of its bit.
+    Bit,
+    /// Walls.
+    Walls,
+    /// Anything, below a drive or above a motor.
+    Any,
 }
 
 /// The motion that all loads are added to: until it leaves that motion, nothing has to
@@ -208,10 +216,17 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         let mut coupling = Coupling::new(within, bending, (&system.walls, &radii));
         coupling.begin_at(&speeds);
         let rubbed = vec![PipeMotion::default(); friction.len()];
+        let is_plain = axial.is_none() && friction.is_empty() && motor.is_none() && drive.is_none();
+        let acting = match (within, &bit, &lateral) {
+            (Within::All(_), Some(_), None) if is_plain => Acting::Bit,
+            (Within::All(_), None, Some(_)) if is_plain => Acting::Walls,
+            _ => Acting::Any,
+        };
         Ok(Self {
             system,
             scene,
             bit,
+            acting,
             friction,
             reference,
             held: 0.0,
@@ -261,29 +276,40 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         if self.next >= self.steps {
             return Ok(None);
         }
+        match self.acting {
+            Acting::Bit => self.step_of::<true>()?,
+            Acting::Walls | Acting::Any => self.step_of::<false>()?,
+        }
+        self.next += 1;
+        Ok(Some(&self.now))
+    }
+
+    /// A step; `BIT` where the bit acts alone.
+    #[inline]
+    fn step_of<const BIT: bool>(&mut self) -> Result<(), SimulationError> {
         self.now.time = self.system.sampling.time_of(self.next);
-        self.find_free_motion();
+        self.find_free_motion::<BIT>();
         match (self.within, &self.lateral) {
+            (Within::All(torsion), _) if BIT => self.meet_bit_alone(torsion)?,
+            _ if self.acting == Acting::Walls => self.meet_all::<true>()?,
             // No other port has to agree with the bit.
             (Within::All(torsion), None) if self.friction.is_empty() => self.meet_bit(torsion)?,
             _ if self.drive.is_some() => self.meet_all_and_drive()?,
-            _ if self.has_walls_alone() => self.meet_all::<true>()?,
             _ => self.meet_all::<false>()?,
         }
-        if let (Some((axial, _)), Some(cut)) = (&self.axial, &self.now.cut) {
+        if let (Some((axial, _)), Some(cut), false) = (&self.axial, &self.now.cut, BIT) {
             if axial.passes_a_blade(cut.speed) {
                 let time = self.now.time;
                 return Err(SimulationError::PastABlade { time });
             }
         }
-        self.end_step();
-        self.next += 1;
-        Ok(Some(&self.now))
+        self.end_step::<BIT>();
+        Ok(())
     }
 
     /// What ports and walls do in this step if no law answered.
     #[inline]
-    fn find_free_motion(&mut self) {
+    fn find_free_motion<const BIT: bool>(&mut self) {
         let (scene, step) = (self.scene, self.next);
         let surface_speed = match self.reference {
             Reference::Free => Some(scene.surface_speed),
@@ -298,6 +324,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             }
             Reference::Steady(motion) => self.add_steady_motion(motion),
         }
+        if BIT {
+            return;
+        }
         if let Some(lateral) = &mut self.lateral {
             let turned = self.turned.as_ref().unwrap_or(&self.now.speeds);
             lateral.find_free_motion(self.now.time, turned);
@@ -305,8 +334,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 self.within.turn_by(port, -torque, &mut self.free);
             }
         }
-        self.find_axial_motion();
-        self.find_free_drive();
+        if self.acting == Acting::Any {
+            self.find_axial_motion();
+            self.find_free_drive();
+        }
     }
 
     /// The same of a drive whose torque is limited: what acts on ports without their laws turns it, too.
@@ -368,210 +399,22 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         }
     }
 
-    /// The bit's law, where nothing else acts.
-    #[inline]
-    fn meet_bit(&mut self, torsion: &Torsion) -> Result<(), SimulationError> {
-        let time = self.now.time;
-        let line = |port: usize| LoadLine {
-            time,
-            free_speed: self.free[port],
-            compliance: torsion.instant(port, port),
-        };
-        let motor = self.motor.as_ref();
-        let met = match (self.bit, &self.axial) {
-            (None, None) => (self.drive.as_mut()).map(|drive| {
-                let (_, end) = drive.meet((0, line(0)), |line| ((), free_end(line)));
-                (0, end)
-            }),
-            // Nothing but the law: its answer is put together where it is kept.
-            (Some((law, port)), _) if motor.is_none() && self.drive.is_none() => {
-                let bit = law.meet(&self.bit_state, line(port));
-                let (torque, speed) = (bit.torque, bit.speed);
-                self.now.bit = Some(bit);
-                Some((port, StringEnd { torque, speed }))
-            }
-            (Some((law, port)), _) => {
-                let act = |line| meet_bit(law, &self.bit_state, motor, line);
-                let (bit, end) = match &mut self.drive {
-                    None => act(line(port)),
-                    Some(drive) => drive.meet((port, line(port)), act),
-                };
-                self.now.bit = Some(bit);
-                Some((port, end))
-            }
-            (None, Some((axial, port))) => {
-                let act = |line| meet_cut(axial, motor, line);
-                let (cut, end) = match &mut self.drive {
-                    None => act(line(*port)),
-                    Some(drive) => drive.meet((*port, line(*port)), act),
-                };
-                self.now.cut = Some(cut);
-                Some((*port, end))
-            }
-        };
-        let speeds = &mut self.now.speeds;
-        match met {
-            None => speeds.copy_from_slice(&self.free),
-            Some((port, end)) => {
-                let free = self.free.iter().enumerate();
-                for (speed, (index, free)) in speeds.iter_mut().zip(free) {
-                    *speed = free + torsion.instant(index, port) * end.torque;
-                    if let Some(drive) = &self.drive {
-                        *speed += drive.turns(index);
-                    }
-                }
-                speeds[port] = end.speed;
-                self.coupling.set_torque(port, end.torque);
-            }
-        }
-        match speeds.iter().position(|speed| !speed.is_finite()) {
-            None => Ok(()),
-            Some(port) => Err(self.system.not_finite(port, time)),
-        }
-    }
-
-    /// All laws of all ports, and the drive above them whose torque is limited: in turn, as the ports
-    /// hardly feel the surface within a step.
-    fn meet_all_and_drive(&mut self) -> Result<(), SimulationError> {
-        let (mut asked_for, mut given) = (None, 0.0);
-        for _ in 0..MOST_TURNS_OF_DRIVE {
-            let Some(drive) = &mut self.drive else {
-                return Ok(());
-            };
-            let torques = self.coupling.loads().iter().map(|load| load.torque);
-            let turned = drive.turned_by(torques);
-            if asked_for.is_some_and(|before: f64| drive.is_negligible(turned - before)) {
-                return Ok(());
-            }
-            let extra = drive.answer(turned);
-            for (port, free) in self.free.iter_mut().enumerate() {
-                *free += drive.turns_by(port, extra - given);
-            }
-            (asked_for, given) = (Some(turned), extra);
-            self.meet_all::<false>()?;
-        }
-        let time = self.now.time;
-        Err(SimulationError::NotSettled { time })
-    }
-
-    /// Whether no law acts on any port but those of walls.
-    #[inline]
-    fn has_walls_alone(&self) -> bool {
-        let none_else = self.bit.is_none() && self.axial.is_none() && self.friction.is_empty();
-        none_else && self.lateral.is_some()
-    }
-
-    /// All laws of all ports at once; `WALLS_ALONE` where none acts but those of walls, whose steps do not
-    /// pay for the others.
-    fn meet_all<const WALLS_ALONE: bool>(&mut self) -> Result<(), SimulationError> {
-        let Self {
-            system,
-            bit,
-            friction,
-            within,
-            lateral,
-            axial,
-            motor,
-            coupling,
-            bit_state,
-            rubbed,
-            free,
-            now,
-            ..
-        } = self;
-        let (system, lateral, time) = (*system, lateral.as_ref(), now.time);
-        let motor = motor.as_ref();
-        let free = Free {
-            positions: lateral.map_or(&[], LateralMotion::free_positions),
-            turning: free,
-        };
-        let mut wavering = Wavering::default();
-        let settled = coupling.settle(
-            free,
-            #[inline(always)]
-            |port, unloaded: Unloaded| {
-                let line = LoadLine {
-                    time,
-                    free_speed: unloaded.speed,
-                    compliance: within.compliance(port),
-                };
-                let wall = lateral.and_then(|lateral| Some((lateral, lateral.wall_at(port)?)));
-                let before;
-                let torque = match (&*bit, &*axial, friction.get(port)) {
-                    _ if WALLS_ALONE => PortTorque::Free,
-                    (Some((law, at)), _, _) if *at == port => {
-                        before = wavering.released().unwrap_or(bit_state).clone();
-                        PortTorque::Bit(*law, &before, motor)
-                    }
-                    (_, Some((axial, at)), _) if *at == port => PortTorque::Cut(axial, motor),
-                    (_, _, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
-                    _ => PortTorque::Free,
-                };
-                let guess = unloaded.guess.unwrap_or(now.speeds[port]);
-                let of_contact =
-                    |error| SimulationError::of_contact(error, system.torsion.loaded()[port], time);
-                let (law, solved) = match wall {
-                    None => {
-                        let turn = torque.turn(line, guess);
-                        let solved = torque.solved(&turn, &Contact::NONE);
-                        (turn.law, solved)
-                    }
-                    Some((lateral, (at, wall))) if torque.is_free() => {
-                        let met = lateral.meet(at, wall, (&unloaded, &now.contacts[at]), line);
-                        let (contact, solved) = met.map_err(of_contact)?;
-                        now.contacts[at] = contact;
-                        (Turned::Free, solved)
-                    }
-                    Some((lateral, (at, wall))) => {
-                        let approach = lateral.approach(at, (&unloaded, &now.contacts[at]), line);
-                        let met = torque.turn_at_wall(wall, &approach, line, guess);
-                        let (contact, turn) = met.map_err(of_contact)?;
-                        let mut solved = torque.solved(&turn, &contact);
-                        if let Some(spring) = lateral.spring(at) {
-                            solved.take_back(spring, contact.position);
-                        }
-                        now.contacts[at] = contact;
-                        (turn.law, solved)
-                    }
-                };
-                if !(solved.speed.is_finite() && solved.load.torque.is_finite()) {
-                    return Err(system.not_finite(port, time));
-                }
-                now.speeds[port] = solved.speed;
-                match law {
-                    Turned::Free => {}
-                    Turned::Bit(answer) => {
-                        wavering.see(bit.map(|(law, _)| law.motion(&answer)), &answer.state);
-                        now.bit = Some(answer);
-                    }
-                    Turned::Cut(cut) => now.cut = Some(cut),
-                    Turned::Pipe(pipe) => now.rubbing[port] = pipe.state,
-                }
-                Ok(solved)
-            },
-        )?;
-        match settled {
-            true => Ok(()),
-            false => Err(SimulationError::NotSettled { time }),
-        }
-    }
-
     /// From this step to the past.
     #[inline]
-    fn end_step(&mut self) {
-        let bit_speed = self.bit_motion();
+    fn end_step<const BIT: bool>(&mut self) {
         let loads = self.coupling.loads();
         for (torque, load) in self.step_torques.iter_mut().zip(loads) {
             *torque = load.torque;
         }
-        if let Some(port) = self.bit_port() {
-            self.step_torques[port] += kick_of(self.axial.as_ref()) - self.held;
+        let axial = self.axial.as_ref().filter(|_| !BIT);
+        if let Some(port) = acts_at_bit(self.bit, axial) {
+            self.step_torques[port] += kick_of(axial) - self.held;
         }
-        for (port, torque) in self.lateral.iter().flat_map(LateralMotion::resting_torques) {
-            self.step_torques[port] -= torque;
-        }
-        if let (Some((axial, _)), Some(cut)) = (&mut self.axial, &self.now.cut) {
-            axial.end_step(cut);
+        if !BIT {
+            let resting = self.lateral.iter().flat_map(LateralMotion::resting_torques);
+            for (port, torque) in resting {
+                self.step_torques[port] -= torque;
+            }
         }
         let steady = match self.reference {
             Reference::Steady(motion) => Some(motion),
@@ -579,6 +422,25 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         };
         let speeds = steady.map(|motion| motion.speeds.as_slice());
         (self.torsion).end_step(self.next, &self.step_torques, (&self.now.speeds, speeds));
+        if !BIT && self.acting == Acting::Any {
+            self.end_step_of_others(steady);
+        }
+        if let (Some(lateral), false) = (&mut self.lateral, BIT) {
+            let turned = self.turned.as_ref().unwrap_or(&self.now.speeds);
+            lateral.end_step(&self.now.contacts, turned);
+        }
+        if let Some(bit) = &self.now.bit {
+            self.bit_state.clone_from(&bit.state);
+        }
+    }
+
+    /// The same of what is not there where the bit or walls act alone.
+    #[inline]
+    fn end_step_of_others(&mut self, steady: Option<&SteadyMotion>) {
+        let bit_speed = self.bit_motion();
+        if let (Some((axial, _)), Some(cut)) = (&mut self.axial, &self.now.cut) {
+            axial.end_step(cut);
+        }
         let of_line = self.torsion.surface().map(|surface| match steady {
             None => surface,
             Some(motion) => SurfaceStep {
@@ -596,13 +458,6 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 motor.end_step(speed);
                 turned[port] = speed;
             }
-        }
-        if let Some(lateral) = &mut self.lateral {
-            let turned = self.turned.as_ref().unwrap_or(&self.now.speeds);
-            lateral.end_step(&self.now.contacts, turned);
-        }
-        if let Some(bit) = &self.now.bit {
-            self.bit_state.clone_from(&bit.state);
         }
         if !self.rubbed.is_empty() {
             self.rubbed.copy_from_slice(&self.now.rubbing);
@@ -635,14 +490,6 @@ fn acts_at_bit<B>(bit: Option<(&B, usize)>, axial: Option<&(AxialMotion, usize)>
 /// The torque of a disturbance on a bit that cuts, N m.
 fn kick_of(axial: Option<&(AxialMotion, usize)>) -> f64 {
     axial.map_or(0.0, |(axial, _)| axial.kick())
-}
-
-/// The end of a string that nothing acts on.
-fn free_end(line: LoadLine) -> StringEnd {
-    StringEnd {
-        torque: 0.0,
-        speed: line.free_speed,
-    }
 }
 
 /// What some sites have of a list of all.

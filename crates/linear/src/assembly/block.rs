@@ -59,11 +59,6 @@ impl<T: Number> Relation for Block<T> {
         let [[a, b], [c, d]] = self.0;
         Block([[a, c], [b, d]])
     }
-
-    #[inline(always)]
-    fn wide<R>(work: impl FnOnce() -> R) -> R {
-        T::wide(work)
-    }
 }
 
 impl<T: Number> Add for Block<T> {

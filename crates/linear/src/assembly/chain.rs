@@ -44,9 +44,10 @@ pub trait Stiffness: Copy {
     }
 }
 
-/// One piece with another hanging from it, as [`Stiffness::join`] has them.
-pub fn hung<S: Stiffness>(upper: S, lower: S) -> S {
-    upper.join(&lower)
+/// Pieces that hang from one another, as [`Stiffness::join`] has them, from the top down; `None` where
+/// there are none.
+pub fn hung<S: Stiffness>(pieces: impl Iterator<Item = S>) -> Option<S> {
+    pieces.reduce(|upper, lower| upper.join(&lower))
 }
 
 /// Which ends of a piece are of interest.

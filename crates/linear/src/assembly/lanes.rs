@@ -125,15 +125,15 @@ impl<const COUNT: usize> Relation for LanesOf<COUNT> {
     fn transpose(self) -> Self {
         self
     }
+}
+
+impl<const COUNT: usize> Number for LanesOf<COUNT> {
+    const LANES: usize = COUNT;
 
     #[inline(always)]
     fn wide<R>(work: impl FnOnce() -> R) -> R {
         pulp::Arch::new().dispatch(work)
     }
-}
-
-impl<const COUNT: usize> Number for LanesOf<COUNT> {
-    const LANES: usize = COUNT;
 
     #[inline(always)]
     fn lane(&self, lane: usize) -> Complex64 {

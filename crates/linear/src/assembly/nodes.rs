@@ -16,14 +16,6 @@ pub trait Relation:
 
     /// The other way round.
     fn transpose(self) -> Self;
-
-    /// The result of work that is compiled for the widest instructions of the processor, where several
-    /// numbers stand side by side; what the work calls has to be inlined. Numbers are the same by any
-    /// instructions: nothing is added in another order.
-    #[inline(always)]
-    fn wide<R>(work: impl FnOnce() -> R) -> R {
-        work()
-    }
 }
 
 /// Dynamic stiffness of a piece of string between its two ends: with loads f and motions u,

@@ -20,6 +20,14 @@ pub trait Number:
     /// Those that `number` gives for each lane.
     fn of_lanes(number: impl FnMut(usize) -> Complex64) -> Self;
 
+    /// The result of work that is compiled for the widest instructions of the processor, where several
+    /// numbers stand side by side; what the work calls has to be inlined. Numbers are the same by any
+    /// instructions: nothing is added in another order.
+    #[inline(always)]
+    fn wide<R>(work: impl FnOnce() -> R) -> R {
+        work()
+    }
+
     /// The square root whose real part is not negative.
     fn root(self) -> Self;
 

@@ -159,7 +159,7 @@ pub fn torque_at_surface<T: Number>(
     pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
     drive: Option<Drive<T>>,
 ) -> T {
-    let whole = pieces.flatten().reduce(hung);
+    let whole = hung(pieces.flatten());
     // Below its lower end there is nothing.
     let resists = whole.map_or(T::zero(), |whole| whole.above(T::zero()));
     match drive {
@@ -192,7 +192,7 @@ pub fn at_surface<T: Number>(
     drive: Drive<T>,
 ) -> AtSurface<T> {
     let pieces: Vec<_> = pieces.collect();
-    let whole = (pieces.iter().copied().flatten()).reduce(hung);
+    let whole = hung(pieces.iter().copied().flatten());
     let resists = whole.map_or(T::zero(), |whole| whole.above(T::zero()));
     let moved = (drive.opposes + resists).inverse();
     // A drive that turned the surface with the set motion itself would be that torque.

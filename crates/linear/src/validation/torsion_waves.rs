@@ -305,7 +305,7 @@ fn val_a_string_turned_over_has_its_ends_exchanged() {
             let pieces = string.sections().iter().filter_map(|section| {
                 chain::section(section, Ends::Both, |tube| bare(string, tube, s))
             });
-            pieces.reduce(chain::hung).unwrap()
+            chain::hung(pieces).unwrap()
         };
         let (one, other) = (whole(&string), whole(&upside_down));
         for (a, b) in [

@@ -208,10 +208,9 @@ impl Lattice {
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
         let runs = self.runs.iter().map(|run| run.stiffness(waves));
         let runs: Vec<Option<DynamicStiffness<T>>> = runs.collect();
-        self.spans.iter().map(move |span| {
-            let between = span.iter().filter_map(|run| runs[*run]);
-            between.reduce(hung)
-        })
+        self.spans
+            .iter()
+            .map(move |span| hung(span.iter().filter_map(|run| runs[*run])))
     }
 
     /// By the trapezoidal rule, which keeps energy as the pieces do.

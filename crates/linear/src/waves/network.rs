@@ -108,7 +108,7 @@ impl TorsionNetwork<'_> {
     /// response of the bit it has no poles, not even near the zeros of modes that the bit hardly
     /// feels.
     pub(crate) fn characteristic(&self, s: Complex64) -> Complex64 {
-        let whole = self.pieces(s).flatten().reduce(chain::hung);
+        let whole = chain::hung(self.pieces(s).flatten());
         let Some(DynamicStiffness { top, cross, bottom }) = whole else {
             return Complex64::ONE;
         };

@@ -44,6 +44,7 @@ impl TorqueLaw for BitTorque {
     /// Where load line and law cross more than once, Friedlander's rule keeps
     /// the bit on its branch: a turning bit continues, at the largest common speed in that
     /// direction, while there is one; a stuck one stays while |T| ≤ T_s.
+    // Put together where it is kept: what is stored as two numbers and then read as one pair waits.
     #[inline(always)]
     fn meet(&self, before: &BitMotion, line: LoadLine) -> TorqueStep<BitMotion> {
         let still_turning = match before {

@@ -81,6 +81,9 @@ impl Watchers {
     #[inline]
     pub(super) fn see<B: TorqueLaw, W: WallLaw>(&mut self, stepper: &Stepper<B, W>) {
         let now = stepper.now();
+        if let (Some((motion, speed)), Some(watch)) = (stepper.bit_alone(), &mut self.bit) {
+            return watch.see(motion, speed);
+        }
         match (&mut self.bit, stepper.bit_motion(), self.rubs_at) {
             (Some(watch), Some((motion, speed)), _) => watch.see(motion, speed),
             // What is stuck lowest holds a free bit but for its swinging.

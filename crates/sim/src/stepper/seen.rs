@@ -1,6 +1,6 @@
 //! What is seen of a scene under way: by who watches it, by its history, and by what leaves steps out.
 
-use super::{Reference, Step, Stepper};
+use super::{Acting, Reference, Step, Stepper};
 use crate::coupling::Load;
 use crate::lateral_motion::LateralMotion;
 use crate::laws::contact::{Contact, WallLaw};
@@ -31,6 +31,14 @@ impl<B: TorqueLaw, W: WallLaw> Stepper<'_, B, W> {
             return Some((BitMotion::of(cut.speed), cut.speed));
         }
         let ((law, _), step) = self.bit.zip(self.now.bit.as_ref())?;
+        Some((law.motion(step), step.speed))
+    }
+
+    /// The same where nothing else acts.
+    #[inline]
+    pub(crate) fn bit_alone(&self) -> Option<(BitMotion, f64)> {
+        let ((law, _), step) =
+            (self.bit.filter(|_| self.acting == Acting::Bit)).zip(self.now.bit.as_ref())?;
         Some((law.motion(step), step.speed))
     }
 
