@@ -116,23 +116,24 @@ impl<'a> Convolution<'a> {
     /// What the inputs of the present step add to the later ones of its block.
     #[inline(always)]
     fn add_present<S: Simd>(&mut self, simd: S, inputs: &[f64]) {
-        let sites = self.kernels.sites;
+        let kernels = self.kernels;
+        let sites = kernels.sites;
         let next = self.steps % FIRST_BLOCK + 1;
         // Whole lanes from where the next step is: those before it are over.
         let first = next - next % LANES;
         let from = LANES - next % LANES;
-        let planes = inputs.chunks_exact(sites);
-        let known = self.past.known.chunks_exact_mut(sites * FIRST_BLOCK);
-        for (inputs, known) in planes.zip(known) {
-            for (input, &value) in inputs.iter().enumerate() {
-                if value == 0.0 {
-                    continue;
-                }
-                for (output, known) in known.chunks_exact_mut(FIRST_BLOCK).enumerate() {
-                    let kernel = self.kernels.kernel_of[output * sites + input];
-                    let taps = &self.kernels.recent[kernel * RECENT + from..];
-                    add_scaled(simd, &mut known[first..], value, taps);
-                }
+        for (channel, &value) in inputs.iter().enumerate() {
+            if value == 0.0 {
+                continue;
+            }
+            // Of two planes at most: divisions would take as long as the sum of a step.
+            let plane = if channel < sites { 0 } else { sites };
+            let input = channel - plane;
+            let known = &mut self.past.known[plane * FIRST_BLOCK..(plane + sites) * FIRST_BLOCK];
+            for (output, known) in known.chunks_exact_mut(FIRST_BLOCK).enumerate() {
+                let kernel = kernels.kernel_of[output * sites + input];
+                let taps = &kernels.recent[kernel * RECENT + from..];
+                add_scaled(simd, &mut known[first..], value, taps);
             }
         }
     }

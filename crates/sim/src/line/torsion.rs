@@ -127,7 +127,7 @@ impl TorsionPast<'_> {
     /// they are in a row, the torques that drive them, N m. `surface_speed` is that of a scene that
     /// begins at rest, rad/s; one that begins with a steady motion has none, and what is written is
     /// what differs from that.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn write_free(&mut self, step: usize, surface_speed: Option<f64>, free: &mut [f64]) {
         match self {
             Self::Whole(whole, past) => {
@@ -144,7 +144,7 @@ impl TorsionPast<'_> {
 
     /// Ends a step with the torques on all ports, N m, of a scene that began with a steady motion
     /// what differs from those of that, and their speeds and those in the steady motion, rad/s.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn end_step(
         &mut self,
         step: usize,
