@@ -98,13 +98,13 @@ fn taps_of_each(trains: &[Vec<f64>], spacing: f64, ending: Ending) -> Vec<Vec<f6
     trains.iter().map(taps).collect()
 }
 
-/// Trains are made in this number of turns, of no fewer than the first number of bytes and no more than the
-/// second each. A lattice has thousands of steps in a travel time: of a string that rubs, trains between twenty
+/// Trains are made in this number of turns, each of no fewer than the first number of bytes, as sampled and
+/// kept, and of no more than the second. A lattice has thousands of steps in a travel time: of a string that rubs, trains between twenty
 /// nodes take a hundred times as much as the taps that are kept of them; but each turn goes along the whole
 /// string again. The numbers are the same on any machine and under any limit of memory, as taps are: trains
 /// that are made apart are cut where each of them has decayed.
 const TURNS: f64 = 5.0;
-const AT_A_TIME: [f64; 2] = [(1u64 << 28) as f64, (1u64 << 30) as f64];
+const AT_A_TIME: [f64; 2] = [(1u64 << 27) as f64, (1u64 << 30) as f64];
 
 /// Trains of impulses before they are built.
 #[derive(Debug)]
