@@ -18,6 +18,17 @@ pub struct Face {
     advance: f64,
 }
 
+/// A straight piece of rock before a blade.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Piece {
+    /// Where the bit is, m.
+    pub(super) depth: f64,
+    /// m/rad.
+    pub(super) rise: f64,
+    /// Angles of the bit between which it goes, rad.
+    pub(super) angles: [f64; 2],
+}
+
 impl Face {
     /// Of a bit at the angle and depth zero.
     pub(super) fn new(apart: Vec<f64>, advance: f64) -> Self {
@@ -57,8 +68,14 @@ impl Face {
     /// What a blade has left where it was at an angle of the bit, looked for from a place.
     #[inline]
     fn left_by(&self, blade: usize, angle: f64, near: usize) -> (f64, f64) {
+        self.left_at(blade, angle, self.place_of(angle, near))
+    }
+
+    /// The same with the first angle that is not below.
+    #[inline]
+    fn left_at(&self, blade: usize, angle: f64, above: usize) -> (f64, f64) {
         let depths = &self.depths[blade];
-        if angle <= self.angles[0] {
+        if above == 0 {
             // Steady blades were all as far below one another.
             return (
                 depths[0] + self.advance * (angle - self.angles[0]),
@@ -69,10 +86,27 @@ impl Face {
             // Past the blade: a step that ends there is refused.
             return (depths[depths.len() - 1], 0.0);
         }
-        let above = self.place_of(angle, near);
         let rise = self.rise(blade, above);
         let low = above - 1;
         (depths[low] + rise * (angle - self.angles[low]), rise)
+    }
+
+    /// The straight piece of rock before a blade when the bit is at an angle; `None` where steps did not end
+    /// before and behind it.
+    #[inline]
+    pub(super) fn piece_ahead(&self, blade: usize, angle: f64) -> Option<Piece> {
+        let apart = self.apart[blade];
+        let ahead = angle - apart;
+        let above = self.place_of(ahead, self.near[blade]);
+        if angle < self.furthest() || above == 0 || above == self.angles.len() {
+            return None;
+        }
+        let (depth, rise) = self.left_at(self.before(blade), ahead, above);
+        Some(Piece {
+            depth,
+            rise,
+            angles: [self.angles[above - 1] + apart, self.angles[above] + apart],
+        })
     }
 
     /// How what a blade has left rises up to the end of a step, m/rad.
@@ -171,15 +205,14 @@ impl Face {
         let mut several = [0.0; MOST_PROFILES];
         let found = &mut several[..self.depths.len()];
         for (blade, found) in found.iter_mut().enumerate() {
-            *found = self.ahead(blade, angle).0;
+            let ahead = angle - self.apart[blade];
+            self.near[blade] = self.place_of(ahead, self.near[blade]);
+            *found = self.left_at(self.before(blade), ahead, self.near[blade]).0;
         }
         for (depths, found) in self.depths.iter_mut().zip(found) {
             depths.push(depth.max(*found));
         }
         self.angles.push(angle);
-        for blade in 0..self.near.len() {
-            self.near[blade] = self.place_of(angle - self.apart[blade], self.near[blade]);
-        }
     }
 
     /// Bytes of a case of a number of steps.

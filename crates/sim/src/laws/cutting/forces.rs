@@ -1,7 +1,7 @@
 //! A step of a bit that cuts: the speeds that meet both load lines.
 
 use super::advance::{self, Advance, AxialLine, Grip};
-use super::face::{Face, MOST_PROFILES};
+use super::face::{Face, MOST_PROFILES, Piece};
 use super::step::{BitPlace, CutStep};
 use crate::laws::torque::LoadLine;
 
@@ -77,6 +77,23 @@ impl CuttingForces {
         line: LoadLine,
         axial: &AxialLine,
     ) -> CutStep {
+        // Even blades would gain a sixth, but where they chatter rounding decides labels that users
+        // compare.
+        let drills_on = match self.angles.len() {
+            1 => None,
+            _ => self.drill_on(place, face, line, axial),
+        };
+        drills_on.unwrap_or_else(|| self.search(place, face, line, axial))
+    }
+
+    /// The step of a bit that does anything.
+    pub(super) fn search(
+        &self,
+        place: &BitPlace,
+        face: &Face,
+        line: LoadLine,
+        axial: &AxialLine,
+    ) -> CutStep {
         let at = |speed: f64| self.try_speed(speed, place, face, line, axial);
         let in_step = |trial: Trial| trial.step(place, axial);
         let stuck = |held: Trial| CutStep {
@@ -122,6 +139,71 @@ impl CuttingForces {
             true => step(found),
             false => stuck(found),
         }
+    }
+
+    /// The step of a bit that drills on: all blades cut straight pieces of rock, and their flats carry
+    /// all they can, from the beginning of the step to where the law is met. Torque and weight are
+    /// straight in both speeds then. `None` where it is otherwise.
+    pub(super) fn drill_on(
+        &self,
+        place: &BitPlace,
+        face: &Face,
+        line: LoadLine,
+        axial: &AxialLine,
+    ) -> Option<CutStep> {
+        if line.free_speed <= 0.0 || self.may_be_steep(place, face, line, axial) {
+            return None;
+        }
+        let (grip, within) = (&self.grip, axial.within);
+        let share = 1.0 / self.angles.len() as f64;
+        // At the speed of the step before.
+        let angle = place.angle + within * place.speed;
+        let mut several = [Piece::default(); MOST_PROFILES];
+        let pieces = &mut several[..self.angles.len()];
+        let (mut rock, mut rise) = (0.0, 0.0);
+        let [mut first, mut last] = [f64::NEG_INFINITY, f64::INFINITY];
+        for (blade, piece) in pieces.iter_mut().enumerate() {
+            *piece = face.piece_ahead(blade, angle)?;
+            rock += share * piece.depth;
+            rise += share * piece.rise;
+            first = first.max(piece.angles[0]);
+            last = last.min(piece.angles[1]);
+        }
+        // Part of a depth that is left of it as the string yields.
+        let stays = 1.0 / (1.0 + axial.compliance * grip.weight * within);
+        let sunk_in = within * (axial.free_speed - axial.compliance * grip.most);
+        let cut = stays * (place.depth - rock + sunk_in);
+        let torque_at = |cut: f64| self.torque * cut + self.flat_radius * grip.most;
+        let missing = line.free_speed - line.compliance * torque_at(cut) - place.speed;
+        let faster = missing / (1.0 - line.compliance * self.torque * stays * rise * within);
+
+        let turned = within * faster;
+        let (mut highest, mut lowest) = (f64::NEG_INFINITY, f64::INFINITY);
+        for piece in &*pieces {
+            let rock = piece.depth + piece.rise * turned;
+            (highest, lowest) = (highest.max(rock), lowest.min(rock));
+        }
+        let (speed, angle) = (place.speed + faster, angle + turned);
+        let cut = cut - stays * rise * turned;
+        let weight = grip.weight * cut + grip.most;
+        let rate = axial.free_speed - axial.compliance * weight;
+        let depth = place.depth + within * rate;
+        let is_drilling = first < angle
+            && angle <= last
+            && speed > 0.0
+            && (0.0..=self.relief * speed).contains(&rate)
+            && place.depth - highest >= grip.most / grip.growth;
+        is_drilling.then(|| CutStep {
+            speed,
+            rate,
+            torque: torque_at(cut),
+            weight,
+            depth_of_cut: cut,
+            deepest_cut: depth - lowest,
+            touches: true,
+            angle,
+            depth,
+        })
     }
 
     /// Whether the torque may fall with speed as steeply as the load line, as the rock before the bit

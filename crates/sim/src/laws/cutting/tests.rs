@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::laws::rock::Rock;
 use crate::laws::torque::LoadLine;
 
 /// A bit on load lines that change at random from step to step.
@@ -196,6 +197,81 @@ proptest! {
             if cut.speed > 0.0 || place.depth > place.deepest {
                 place.deepest = place.depth;
             }
+        }
+    }
+}
+
+/// Bits of four blades, by their spacing and contact, on load lines that sway: at times they stick, rest or
+/// rise. Of steps by `drill_on` and by `search`, which share no more than the face: how many there were, how many
+/// drilled on, and how far they were apart at most.
+fn ways_of_a_step(blades: &Blades, contact: FlatContact) -> (usize, usize, f64) {
+    let Rock::Law(rock) = Rock::sandstone() else {
+        unreachable!()
+    };
+    let cutting = Cutting {
+        rock,
+        contact,
+        blades: blades.clone(),
+        relief: 0.3,
+    };
+    let forces = cutting.forces();
+    let mut face = cutting.face(0.0);
+    let mut place = BitPlace {
+        speed: 10.0,
+        ..BitPlace::default()
+    };
+    let (steps, step) = (4000, 2e-3);
+    let (mut drilled_on, mut most_apart) = (0, 0f64);
+    for index in 0..steps {
+        let time = step * f64::from(index);
+        let line = LoadLine {
+            time,
+            free_speed: 16.0 + 9.0 * (3.0 * time).sin(),
+            compliance: 1e-3,
+        };
+        let along = AxialLine {
+            free_speed: 0.09 + 0.07 * (7.0 * time).sin(),
+            compliance: 1e-6,
+            within: 0.5 * step,
+            step,
+        };
+        let searched = forces.search(&place, &face, line, &along);
+        if let Some(drilled) = forces.drill_on(&place, &face, line, &along) {
+            drilled_on += 1;
+            for (one, other, size) in [
+                (drilled.speed, searched.speed, 10.0),
+                (drilled.rate, searched.rate, 0.01),
+                (drilled.torque, searched.torque, 1e4),
+                (drilled.weight, searched.weight, 1e5),
+                (drilled.depth_of_cut, searched.depth_of_cut, 1e-3),
+                (drilled.deepest_cut, searched.deepest_cut, 1e-3),
+                (drilled.angle, searched.angle, 1.0),
+                (drilled.depth, searched.depth, 1e-3),
+            ] {
+                most_apart = most_apart.max((one - other).abs() / size);
+            }
+            assert_eq!(drilled.touches, searched.touches);
+        }
+        place.angle += step * searched.speed;
+        place.depth += step * searched.rate;
+        place.speed = searched.speed;
+        face.leave(place.angle, place.depth);
+        place.deepest = place.deepest.max(place.depth);
+    }
+    (steps as usize, drilled_on, most_apart)
+}
+
+#[test]
+fn a_bit_that_drills_on_does_what_is_found_by_search() {
+    let uneven = [1.4, 1.7, 1.5];
+    let last = std::f64::consts::TAU - uneven.iter().sum::<f64>();
+    let uneven = Blades::Uneven(uneven.into_iter().chain([last]).collect());
+    for blades in [uneven, Blades::Even(4)] {
+        for contact in [FlatContact::Grows, FlatContact::AtOnce] {
+            let (steps, drilled_on, apart) = ways_of_a_step(&blades, contact);
+            println!("{blades:?} {contact:?}: {drilled_on} of {steps}, {apart:.1e} apart");
+            assert!(4 * drilled_on > steps && drilled_on < steps, "{drilled_on}");
+            assert!(apart < 1e-11, "{apart}");
         }
     }
 }
