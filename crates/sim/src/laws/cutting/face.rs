@@ -71,8 +71,8 @@ impl Face {
         self.left_at(blade, angle, self.place_of(angle, near))
     }
 
-    /// The same with the first angle that is not below.
-    #[inline]
+    /// The same with the first angle that is not below. A call would take as long as what it does.
+    #[inline(always)]
     fn left_at(&self, blade: usize, angle: f64, above: usize) -> (f64, f64) {
         let depths = &self.depths[blade];
         if above == 0 {
