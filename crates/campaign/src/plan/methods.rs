@@ -4,7 +4,6 @@ use linear::method::{FiniteElement, Method};
 use linear::sampling::merged;
 use linear::{BuildError, Channel, Drillstring, PolePlan};
 
-use super::hole::mud_is_viscous;
 use super::setting::Setting;
 use crate::design::Design;
 use crate::quantities::{Axis, StringAxis};
@@ -59,28 +58,44 @@ pub fn is_by_poles(content: &FileContent, design: &Design, setting: &Setting) ->
     is_plain
         && setting.lying.is_some()
         && sites.len() > SITES_BY_RESPONSES
-        && always_loses(content, design)
+        && losses(content, design, Channel::Bending)
+            .iter()
+            .any(|loss| loss.ends[0] > 0.0)
         && PolePlan::new(&setting.string, bends, sites, frequency).is_ok()
 }
 
-/// Whether something damps a string that bends in every case.
-fn always_loses(content: &FileContent, design: &Design) -> bool {
-    let bending = content.string.bending.as_ref();
-    let viscosity = content.mud.map_or(0.0, |mud| mud.viscosity_cp);
-    [
-        (
-            StringAxis::BendingDamping,
-            bending.map_or(0.0, |bending| bending.damping_ns_m2),
+/// What takes energy from a motion of the string: its damping as a whole, that of its mud, and that of its
+/// material.
+struct Loss {
+    /// Of the file's own string.
+    own: f64,
+    /// The least and the most of all cases.
+    ends: [f64; 2],
+}
+
+fn losses(content: &FileContent, design: &Design, channel: Channel) -> [Loss; 3] {
+    let string = &content.string;
+    let (axis, as_a_whole) = match channel {
+        Channel::Bending => {
+            let damping = string.bending.map_or(0.0, |bending| bending.damping_ns_m2);
+            (StringAxis::BendingDamping, damping)
+        }
+        Channel::Torsion | Channel::Axial => (
+            StringAxis::TorsionalDamping,
+            string.torsional_damping_nms_rad_m,
         ),
-        (StringAxis::MudViscosity, viscosity),
-        (StringAxis::LossFactor, content.string.loss_factor),
+    };
+    [
+        (axis, as_a_whole),
+        (
+            StringAxis::MudViscosity,
+            content.mud.map_or(0.0, |mud| mud.viscosity_cp),
+        ),
+        (StringAxis::LossFactor, string.loss_factor),
     ]
-    .into_iter()
-    .any(|(axis, given)| {
-        design
-            .ends(Axis::String(axis))
-            .map_or(given, |[least, _]| least)
-            > 0.0
+    .map(|(axis, own)| Loss {
+        own,
+        ends: design.ends(Axis::String(axis)).unwrap_or([own; 2]),
     })
 }
 
@@ -114,21 +129,29 @@ pub fn resolve(
         let is_idle = *name == MethodName::Poles && !bends;
         source.refuse_if(is_idle, &format!("methods[{index}]"), message)?;
         let is_transformed = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);
-        let loses_none = bends && has_no_damping_in_bending(content, design);
         let is_by_poles = *name == MethodName::Poles;
-        for (channel, needs_damping, key) in [
+        for (channel, is_asked, key) in [
             (
                 Channel::Torsion,
-                is_transformed && has_no_damping_in_torsion(content, design),
+                is_transformed,
                 "string.torsional_damping_nms_rad_m",
             ),
             (
                 Channel::Bending,
-                // Its poles fade as its material does, if not as a whole.
-                loses_none && (is_transformed || is_by_poles && !has_loss(content, design)),
+                bends && (is_transformed || is_by_poles),
                 "string.bending.damping_ns_m2",
             ),
         ] {
+            let losses = losses(content, design, channel);
+            // As a whole a string that bends loses nothing to its material; its poles fade.
+            let counted = match channel == Channel::Bending && is_transformed {
+                true => &losses[..2],
+                false => &losses,
+            };
+            // The file's own string is built, too.
+            let needs_damping = is_asked
+                && (counted.iter().all(|loss| loss.own == 0.0)
+                    || counted.iter().all(|loss| loss.ends[1] == 0.0));
             let method = name.name();
             let message = BuildError::NeedsDamping { method, channel }.to_string();
             source.refuse_if(needs_damping, key, message)?;
@@ -136,29 +159,6 @@ pub fn resolve(
     }
     let names = content.methods.iter();
     Ok(names.map(|&name| method(content, name)).collect())
-}
-
-/// Whether nothing takes energy from a string that turns.
-fn has_no_damping_in_torsion(content: &FileContent, design: &Design) -> bool {
-    let string = &content.string;
-    string.torsional_damping_nms_rad_m == 0.0
-        && string.loss_factor == 0.0
-        && !mud_is_viscous(content, design)
-}
-
-/// Whether nothing takes energy from a string that moves sideways; as a whole its material takes none.
-fn has_no_damping_in_bending(content: &FileContent, design: &Design) -> bool {
-    let axis = Axis::String(StringAxis::BendingDamping);
-    let bending = content.string.bending.as_ref();
-    bending.is_some_and(|bending| bending.damping_ns_m2 == 0.0)
-        && !design.axes().contains(&axis)
-        && !mud_is_viscous(content, design)
-}
-
-/// Whether the material takes energy from what bends or twists it.
-fn has_loss(content: &FileContent, design: &Design) -> bool {
-    let axis = Axis::String(StringAxis::LossFactor);
-    content.string.loss_factor > 0.0 || design.axes().contains(&axis)
 }
 
 fn finite_element(source: &Source, parameters: &FiniteElement) -> Result<(), SweepFileError> {
@@ -203,6 +203,7 @@ mod tests {
     use linear::method::{FiniteElement, Method};
 
     use crate::plan::Sweep;
+    use crate::sweep_file::SweepFileError;
 
     /// γ of elements in a shipped sweep with keys before it.
     fn gamma(base: &str, keys: &str) -> f64 {
@@ -264,11 +265,14 @@ kind = "grid"
 surface_speed_rpm = { values = [60, 120] }
 "#;
 
+    const ON_LOW_SIDE: &str = "clearance = \"hole\"\nsites = \"ends\"\nsites_to_m = 120";
+
+    fn read(text: &str) -> Result<Sweep, SweepFileError> {
+        Sweep::read_from(Path::new("lying.toml"), &[], &|_, _| Ok(text.to_owned()))
+    }
+
     fn methods(text: &str) -> Vec<Method> {
-        let text_of = |_: &Path, _| Ok(text.to_owned());
-        Sweep::read_from(Path::new("lying.toml"), &[], &text_of)
-            .unwrap()
-            .methods
+        read(text).unwrap().methods
     }
 
     #[test]
@@ -287,5 +291,44 @@ surface_speed_rpm = { values = [60, 120] }
         let lossy = LYING.replace("shear_modulus_gpa = 79.3", lossy);
         let lossy = lossy.replace("damping_ns_m2 = 20", "damping_ns_m2 = 0");
         assert_eq!(methods(&lossy), [Method::Poles]);
+    }
+
+    /// Damping that is an axis counts by its values: where one is enough the others are set aside as cases.
+    #[test]
+    fn methods_that_need_damping_are_refused_where_no_case_has_any() {
+        let keys = [
+            ("torsional_damping_nms_rad_m", "0.2"),
+            ("damping_ns_m2", "20"),
+        ];
+        for (method, key, needs) in [
+            ("hilbert", 0, true),
+            ("hilbert", 1, true),
+            ("poles", 0, false),
+            ("poles", 1, true),
+            ("held", 0, false),
+            ("held", 1, false),
+        ] {
+            let (name, own) = keys[key];
+            let axis = ["torsional_damping_nms_rad_m", "bending_damping_ns_m2"][key];
+            for (own, values, is_enough) in [
+                (own, "[0, 20]", true),
+                (own, "[0]", false),
+                ("0", "[10, 20]", false),
+            ] {
+                let text =
+                    format!("methods = [{method:?}]\n{LYING}{axis} = {{ values = {values} }}\n");
+                let given = format!("{name} = {}", keys[key].1);
+                let text = text.replace(ON_LOW_SIDE, "clearance_mm = 50\n[[sites]]\ndistance_from_bit_m = 9");
+                let text = text.replace("inclination_deg = 60\n", "");
+                let text = text.replacen(&given, &format!("{name} = {own}"), 1);
+                let refused = read(&text).err();
+                let is_right = match (needs && !is_enough, &refused) {
+                    (true, Some(error)) => error.to_string().contains("needs damping in"),
+                    (false, None) => true,
+                    _ => false,
+                };
+                assert!(is_right, "{method} {name} {own} {values}: {refused:?}");
+            }
+        }
     }
 }

@@ -156,6 +156,8 @@ impl Source {
         error.message = units.convert(&error.message);
         if error.file != self.files[0] && error.message.contains("leave it out") {
             let sweep = self.files[0].display();
+            // Keys are taken out, not single entries of lists.
+            let key = key.split('[').next().unwrap_or(key);
             error.message += &format!(" (`without = [{key:?}]` in {sweep})");
         }
         error
