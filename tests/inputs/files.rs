@@ -550,6 +550,27 @@ fn workbooks_are_read_cell_by_cell_and_hostile_ones_are_refused() {
     }
 }
 
+/// What is to be left out of a base can be: the words that say so are taken.
+#[test]
+fn an_entry_of_a_list_of_a_base_is_left_out_by_the_words_of_its_refusal() {
+    let place = Workplace::new();
+    let base = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/fig09.toml");
+    let axes = "[design]\nkind = \"grid\"\n[design.axes]\nweight_on_bit_kn = { values = [20, 30] }\n\
+                torsional_damping_nms_rad_m = { values = [0.1, 0.2] }\n\
+                [map]\nx = \"torsional_damping_nms_rad_m\"\ny = \"weight_on_bit_kn\"\n";
+    let said = |without: &str| {
+        place.write("small.toml", format!("base = {base:?}\n{without}\n{axes}"));
+        place.answer(&["run", "small.toml", "--dry-run"])
+    };
+    let refused = said("");
+    let words = "`map.marks[0]`: a mark has no place on a map over torsional_damping_nms_rad_m: leave it out";
+    assert!(refused.errors.contains(words), "{}", refused.errors);
+    let without = refused.errors.rsplit('`').nth(1).unwrap();
+    assert_eq!(without, "without = [\"map.marks\"]");
+    let taken = said(without);
+    assert_eq!(taken.code, 0, "{}", taken.errors);
+}
+
 /// A key of a base is taken away by its name in any unit, a table as a whole; what is not there is refused.
 #[test]
 fn a_file_takes_keys_of_its_base_away() {

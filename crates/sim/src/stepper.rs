@@ -124,7 +124,7 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     now: Step<B::State>,
 }
 
-/// What acts on a string. Steps of plain scenes do not pay for the others.
+/// The laws that act on a string. Steps of plain scenes do not pay for the others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Acting {
     /// The law of its bit.
@@ -422,19 +422,21 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         };
         let speeds = steady.map(|motion| motion.speeds.as_slice());
         (self.torsion).end_step(self.next, &self.step_torques, (&self.now.speeds, speeds));
-        if !BIT && self.acting == Acting::Any {
-            self.end_step_of_others(steady);
-        }
-        if let (Some(lateral), false) = (&mut self.lateral, BIT) {
-            let turned = self.turned.as_ref().unwrap_or(&self.now.speeds);
-            lateral.end_step(&self.now.contacts, turned);
+        if !BIT {
+            if self.acting == Acting::Any {
+                self.end_step_of_others(steady);
+            }
+            if let Some(lateral) = &mut self.lateral {
+                let turned = self.turned.as_ref().unwrap_or(&self.now.speeds);
+                lateral.end_step(&self.now.contacts, turned);
+            }
         }
         if let Some(bit) = &self.now.bit {
             self.bit_state.clone_from(&bit.state);
         }
     }
 
-    /// The same of what is not there where the bit or walls act alone.
+    /// The end of a step for all that is not there where the bit or walls act alone.
     #[inline]
     fn end_step_of_others(&mut self, steady: Option<&SteadyMotion>) {
         let bit_speed = self.bit_motion();

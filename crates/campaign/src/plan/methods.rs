@@ -318,7 +318,10 @@ surface_speed_rpm = { values = [60, 120] }
                 let text =
                     format!("methods = [{method:?}]\n{LYING}{axis} = {{ values = {values} }}\n");
                 let given = format!("{name} = {}", keys[key].1);
-                let text = text.replace(ON_LOW_SIDE, "clearance_mm = 50\n[[sites]]\ndistance_from_bit_m = 9");
+                let text = text.replace(
+                    ON_LOW_SIDE,
+                    "clearance_mm = 50\n[[sites]]\ndistance_from_bit_m = 9",
+                );
                 let text = text.replace("inclination_deg = 60\n", "");
                 let text = text.replacen(&given, &format!("{name} = {own}"), 1);
                 let refused = read(&text).err();

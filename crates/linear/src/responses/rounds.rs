@@ -117,7 +117,7 @@ impl Rounds {
         })
     }
 
-    /// The same for as many responses side by side as take no more than a number of bytes together; one, at
+    /// Rounds of as many responses side by side as take no more than a number of bytes together; of one, at
     /// least.
     pub(super) fn within(self, bytes: f64) -> Self {
         let most = (bytes / self.together() * self.channels as f64) as usize;

@@ -65,7 +65,7 @@ impl<B: TorqueLaw, W: WallLaw> Stepper<'_, B, W> {
         self.take_up::<false>(torsion, met)
     }
 
-    /// What a port feels of the string within this step.
+    /// The load line of a port: how its speed depends on its torque within this step.
     #[inline]
     fn line(&self, torsion: &Torsion, port: usize) -> LoadLine {
         LoadLine {
@@ -75,7 +75,7 @@ impl<B: TorqueLaw, W: WallLaw> Stepper<'_, B, W> {
         }
     }
 
-    /// What all ports do as one answers, the only one that bears a load.
+    /// The speeds of all ports from what the only one answers that bears a load.
     #[inline]
     fn take_up<const BIT: bool>(
         &mut self,
