@@ -64,8 +64,7 @@ pub fn is_by_poles(content: &FileContent, design: &Design, setting: &Setting) ->
         && PolePlan::new(&setting.string, bends, sites, frequency).is_ok()
 }
 
-/// What takes energy from a motion of the string: its damping as a whole, that of its mud, and that of its
-/// material.
+/// A cause by which the string loses energy, by how strong it is.
 struct Loss {
     /// Of the file's own string.
     own: f64,
@@ -73,6 +72,7 @@ struct Loss {
     ends: [f64; 2],
 }
 
+/// The losses of a motion of the string: its damping as a whole, that of its mud, and that of its material.
 fn losses(content: &FileContent, design: &Design, channel: Channel) -> [Loss; 3] {
     let string = &content.string;
     let (axis, as_a_whole) = match channel {

@@ -310,7 +310,7 @@ mod tests {
         Drillstring::new(steel, vec![section], damping).unwrap()
     }
 
-    /// The number of trains that are made together: where they are cut as they have decayed hangs on it.
+    /// The number of trains that are made together: where they are cut as they have decayed depends on it.
     #[cfg(feature = "parallel")]
     #[test]
     fn as_many_trains_are_made_at_a_time_on_one_thread_as_on_sixteen() {
