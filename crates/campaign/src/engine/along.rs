@@ -3,7 +3,7 @@
 
 use anyhow::Result;
 use linear::elements::reconstruction::WholeString;
-use linear::{Budget, BuildError, PlacePlan, PlaceQuantity, Tube};
+use linear::{BendingPoles, Budget, BuildError, PlacePlan, PlaceQuantity, Tube};
 use sim::{AtPlaces, Trajectory};
 
 use super::case_error::CaseError;
@@ -62,13 +62,15 @@ impl Along {
         ))
     }
 
-    /// Builds it at places (m from the bit); `None` where there are none.
+    /// Builds it at places (m from the bit), of the poles of the string where it has any and they show it; `None`
+    /// where there are none.
     ///
     /// # Errors
     /// Where the method does not treat the string.
     pub(super) fn build(
         plan: &SystemPlan,
         (quantity, places): (PlaceQuantity, &[f64]),
+        poles: Option<&BendingPoles>,
     ) -> Result<Option<Self>> {
         if places.is_empty() {
             return Ok(None);
@@ -76,10 +78,17 @@ impl Along {
         if stepped_string(plan).is_some() {
             return Ok(Some(Self { quantity, by: None }));
         }
-        let request = plan.request();
-        let wanted = (quantity, places);
-        let responses = PlacePlan::new(&plan.setting.string, plan.method, &request, wanted)?;
-        let responses = responses.build(&Budget::unlimited())?;
+        let shown =
+            poles.filter(|it| quantity == PlaceQuantity::Displacement && it.places() == places);
+        let responses = match shown {
+            Some(poles) => poles.place_responses(plan.longest_time)?,
+            None => {
+                let (request, wanted) = (plan.request(), (quantity, places));
+                let string = &plan.setting.string;
+                let responses = PlacePlan::new(string, plan.method, &request, wanted)?;
+                responses.build(&Budget::unlimited())?
+            }
+        };
         let by = Some(AtPlaces::new(responses)?);
         Ok(Some(Self { quantity, by }))
     }

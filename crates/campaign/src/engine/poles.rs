@@ -15,7 +15,8 @@ fn plan<'a>(setting: &'a Setting, method: &Method) -> Result<Option<PolePlan<'a>
     };
     let bends = (&lateral.bending, lateral.support);
     let frequency = setting.sampling_frequency;
-    PolePlan::new(&setting.string, bends, &setting.sites, frequency).map(Some)
+    let plan = PolePlan::new(&setting.string, bends, &setting.sites, frequency)?;
+    Ok(Some(plan.seen_at(&setting.tools)))
 }
 
 /// Asks for what [`build`] takes; the simulator bends by poles, too.
@@ -41,8 +42,8 @@ pub(super) fn ask(
     Ok(simulator.lying(system.setting.lying.is_some()))
 }
 
-/// A simulator that bends by poles, where the method of its responses has them, and their margin; to the
-/// responses those are added that are read.
+/// A simulator that bends by poles, where the method of its responses has them, and these, seen at the tools of
+/// the setting, too; to the responses those are added that are read.
 ///
 /// # Errors
 /// Where there are none, or more memory is needed than is left.
@@ -51,7 +52,7 @@ pub(super) fn build(
     simulator: Simulator,
     responses: &mut Responses,
     budget: &Budget,
-) -> Result<(Simulator, Option<f64>)> {
+) -> Result<(Simulator, Option<BendingPoles>)> {
     let has_bending = responses.bending().is_some();
     let plan = plan(setting, &responses.method)?.filter(|_| !has_bending);
     let Some(plan) = plan else {
@@ -61,5 +62,5 @@ pub(super) fn build(
     let seen = poles.responses(&observed(setting), responses.longest_time)?;
     responses.channels.push(seen);
     let simulator = simulator.bending_by_poles(&poles, &setting.sites)?;
-    Ok((simulator, Some(poles.margin())))
+    Ok((simulator, Some(poles)))
 }

@@ -9,7 +9,7 @@ use linear::estimates::{
     largest_response, largest_undershoot, stick_slip_speed_limit, taps_to_undershoot,
     undershoot_time,
 };
-use linear::{ChannelResponses, Method, PlaceQuantity, Responses};
+use linear::{BendingPoles, ChannelResponses, Method, PlaceQuantity, Responses};
 use sim::{
     Label, LateralMeasures, Measures, Motion, Outcome, RatesAtPlaces, Scene, SimulationError,
     Simulator, Stopping, SurfaceTorque, TorsionRegime, Trajectory,
@@ -59,6 +59,8 @@ pub struct MethodSystem {
     /// there.
     undershoot: Option<f64>,
     simulator: Simulator,
+    /// What bends it, where poles do.
+    poles: Option<BendingPoles>,
     /// What turns the surface, where that is to be known of a string that is not in pieces.
     surface_torque: Option<SurfaceTorque>,
     /// What bends the string along its length, where that is to be known.
@@ -223,10 +225,10 @@ impl MethodSystem {
     pub fn follow_places(&mut self) -> Result<()> {
         if let Some(lateral) = &self.setting.lateral {
             let [moments, displacements] = [
-                (PlaceQuantity::Moment, &lateral.stressed),
-                (PlaceQuantity::Displacement, &self.setting.tools),
+                (PlaceQuantity::Moment, lateral.stressed.as_slice()),
+                (PlaceQuantity::Displacement, self.setting.tools.as_slice()),
             ]
-            .map(|(quantity, places)| Along::build(&self.plan(), (quantity, places)));
+            .map(|wanted| Along::build(&self.plan(), wanted, self.poles.as_ref()));
             (self.moments, self.displacements) = (moments?, displacements?);
         }
         self.rates = tools::build_along_axis(&self.plan())?;

@@ -69,6 +69,34 @@ pub fn assemble(
     Ok(Matrices::new(&mass, damping, &stiffness)?.with_fading(fading))
 }
 
+/// The displacement at a depth below the surface (m) as a sum over degrees of freedom: the cubic shape functions of
+/// its element. None where the string does not move.
+pub(crate) fn displacement_at(
+    mesh: &Mesh,
+    depth: f64,
+    support: SurfaceSupport,
+) -> Vec<(usize, f64)> {
+    let depths = mesh.depths();
+    let below = depths.partition_point(|node| *node < depth);
+    let element = below.clamp(1, mesh.elements.len()) - 1;
+    let length = mesh.elements[element].length;
+    let x = (depth - depths[element]) / length;
+    if x < 0.0 {
+        return Vec::new();
+    }
+    let weights = [
+        (1.0 - x) * (1.0 - x) * (1.0 + 2.0 * x),
+        x * (1.0 - x) * (1.0 - x) * length,
+        x * x * (3.0 - 2.0 * x),
+        -x * x * (1.0 - x) * length,
+    ];
+    let freedoms = (2 * element..).map(|freedom| freedom.checked_sub(support.held()));
+    let weighted = freedoms.zip(weights);
+    weighted
+        .filter_map(|(freedom, weight)| Some((freedom?, weight)))
+        .collect()
+}
+
 /// The dashpot on the displacement of either node, N s/m.
 pub(super) fn dashpot(element: &Tube, bending: &Bending) -> f64 {
     bending.damping * element.length / 2.0

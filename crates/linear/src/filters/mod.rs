@@ -46,24 +46,23 @@ fn sample<T: Number + Send, Made: Send>(
     make: &(dyn Fn(Vec<Complex64>) -> Made + Sync),
 ) -> Vec<Made> {
     let (channels, count) = (buffers.channels, buffers.frequencies());
-    let mut rows = vec![Complex64::ZERO; count * channels];
+    // Of several frequencies at a time, one channel after the other: what a channel answers is gathered from few
+    // places. Real and imaginary parts of nothing ask the system for memory only where they are written.
+    let size = T::LANES * channels;
+    let mut rows = vec![[0.0; 2]; count.div_ceil(T::LANES) * size];
     let no_values = || vec![T::real(0.0); channels];
-    parallel::chunks_mut(
-        &mut rows,
-        (T::LANES * channels, 64),
-        no_values,
-        |values, (chunk, rows)| {
-            let first = T::LANES * chunk;
-            // Beyond the end there is nothing to fill; the last one serves.
-            let point = |lane: usize| variable((first + lane).min(count - 1));
-            response(T::of_lanes(point), values);
-            for (lane, row) in rows.chunks_mut(channels).enumerate() {
-                for (entry, value) in row.iter_mut().zip(values.iter()) {
-                    *entry = value.lane(lane);
-                }
+    parallel::chunks_mut(&mut rows, (size, 64), no_values, |values, (chunk, rows)| {
+        let first = T::LANES * chunk;
+        // Beyond the end the last one serves, and is left out.
+        let point = |lane: usize| variable((first + lane).min(count - 1));
+        response(T::of_lanes(point), values);
+        for (row, value) in rows.chunks_mut(T::LANES).zip(values.iter()) {
+            for (lane, entry) in row.iter_mut().enumerate() {
+                let Complex64 { re, im } = value.lane(lane);
+                *entry = [re, im];
             }
-        },
-    );
+        }
+    });
     let (at_once, threads) = gathering(channels);
     let groups = channels.div_ceil(at_once);
     let in_one_go = if threads == 1 { groups } else { 1 };
@@ -71,9 +70,12 @@ fn sample<T: Number + Send, Made: Send>(
         let first = at_once * group;
         let some = at_once.min(channels - first);
         let mut spectra: Vec<_> = (0..some).map(|_| Vec::with_capacity(count)).collect();
-        for row in rows.chunks_exact(channels) {
-            for (spectrum, value) in spectra.iter_mut().zip(&row[first..]) {
-                spectrum.push(*value);
+        for rows in rows.chunks_exact(size) {
+            let rows = rows[first * T::LANES..].chunks_exact(T::LANES);
+            for (spectrum, row) in spectra.iter_mut().zip(rows) {
+                let left = count - spectrum.len();
+                let row = row.iter().take(left);
+                spectrum.extend(row.map(|[re, im]| Complex64::new(*re, *im)));
             }
         }
         spectra.into_iter().map(make).collect::<Vec<Made>>()

@@ -26,7 +26,12 @@ pub(super) struct Elements {
     pub(super) drag: Vec<(f64, Vec<f64>)>,
     /// The degree of freedom of the displacement of each site.
     pub(super) places: Vec<usize>,
+    /// Displacements that are seen besides, by degrees of freedom.
+    pub(super) seen: Vec<Weighted>,
 }
+
+/// A sum over degrees of freedom, each with its weight.
+pub(super) type Weighted = Vec<(usize, f64)>;
 
 /// What a pole leaves of the weights of each mode.
 pub(super) struct Mode {
@@ -37,8 +42,8 @@ pub(super) struct Mode {
 }
 
 impl Elements {
-    /// Of a mesh, whose sites are at these degrees of freedom.
-    pub(super) fn of(matrices: &Matrices, places: Vec<usize>) -> Self {
+    /// Of a mesh, whose sites are at these degrees of freedom, with what is seen besides.
+    pub(super) fn of(matrices: &Matrices, (places, seen): (Vec<usize>, Vec<Weighted>)) -> Self {
         let size = matrices.size();
         let full = |entries: &mut dyn Iterator<Item = (usize, usize, f64)>| {
             let mut matrix = Mat::zeros(size, size);
@@ -63,6 +68,7 @@ impl Elements {
                 drag.map(|it| (it.rate, it.dashpots.clone())).collect()
             }),
             places,
+            seen,
         }
     }
 

@@ -42,6 +42,8 @@ mod shapes;
 
 pub use plan::PolePlan;
 
+use std::ops::Range;
+
 use num_complex::Complex64;
 use numerics::{Mat, eigenvalues};
 
@@ -54,9 +56,11 @@ use crate::error::BuildError;
 #[derive(Debug, Clone)]
 pub struct BendingPoles {
     sites: usize,
+    /// Where displacements are seen besides, m from the bit.
+    places: Vec<f64>,
     /// What each pole is multiplied by in a step.
     turns: Vec<Complex64>,
-    /// Displacement of a site by a pole, m, `[site × poles + pole]`.
+    /// Displacement of a site, or a place after these, by a pole, m, `[output × poles + pole]`.
     shapes: Vec<Complex64>,
     /// What a force at a site adds to a pole, 1/N, `[site × poles + pole]`.
     inputs: Vec<Complex64>,
@@ -67,9 +71,15 @@ pub struct BendingPoles {
 }
 
 impl BendingPoles {
-    /// Bytes of a number of poles of a number of sites.
-    fn bytes(sites: f64, poles: f64) -> f64 {
-        COMPLEX * poles * (2.0 * sites + 1.0) + REAL * sites * sites
+    /// Bytes of a number of poles of a number of outputs, some of which are sites.
+    fn bytes((outputs, sites): (f64, f64), poles: f64) -> f64 {
+        COMPLEX * poles * (outputs + sites + 1.0) + REAL * outputs * sites
+    }
+
+    /// The same, whose outputs besides the sites are at these places, m from the bit.
+    fn seen_at(self, places: &[f64]) -> Self {
+        let places = places.to_vec();
+        Self { places, ..self }
     }
 
     /// The same with A(0), row by row, as others have it: what modes above those of the poles add to it, as far
@@ -84,7 +94,7 @@ impl BendingPoles {
             if *value <= 0.0 {
                 continue;
             }
-            for (pair, instant) in self.instants.iter_mut().enumerate() {
+            for (pair, instant) in self.instants[..sites * sites].iter_mut().enumerate() {
                 *instant += value * vector[pair / sites] * vector[pair % sites];
             }
         }
@@ -106,7 +116,12 @@ impl BendingPoles {
         &self.turns
     }
 
-    /// Displacement, m, of a site by each pole.
+    /// Places, m from the bit, whose displacements are seen besides ([`PolePlan::seen_at`]).
+    pub fn places(&self) -> &[f64] {
+        &self.places
+    }
+
+    /// Displacement, m, of a site by each pole; after the sites, of a place.
     pub fn shapes(&self, site: usize) -> &[Complex64] {
         &self.shapes[site * self.turns.len()..][..self.turns.len()]
     }
@@ -127,20 +142,64 @@ impl BendingPoles {
         self.margin
     }
 
-    /// The first taps from one site to another, m/N.
+    /// The first taps from a site to another, or to a place after the sites, m/N.
     pub fn taps(&self, output: usize, input: usize, count: usize) -> Vec<f64> {
-        let mut state = self.inputs(input).to_vec();
-        let shapes = self.shapes(output);
-        let later = std::iter::repeat_with(|| {
-            let moved = std::iter::zip(shapes, &state);
-            let tap: f64 = moved.map(|(shape, state)| (shape * state).re).sum();
-            for (state, turn) in state.iter_mut().zip(&self.turns) {
-                *state *= turn;
+        self.taps_from(input, output..output + 1, count).remove(0)
+    }
+
+    /// The same from one site to several outputs.
+    pub(crate) fn taps_from(
+        &self,
+        input: usize,
+        outputs: Range<usize>,
+        count: usize,
+    ) -> Vec<Vec<f64>> {
+        let shapes: Vec<_> = outputs.clone().map(|it| self.shapes(it)).collect();
+        let instants = outputs.map(|output| self.instant(output, input));
+        self.turned(self.inputs(input), &shapes, instants, count)
+    }
+
+    /// The same to one output from all sites.
+    pub(crate) fn taps_to(&self, output: usize, count: usize) -> Vec<Vec<f64>> {
+        let inputs: Vec<_> = (0..self.sites).map(|site| self.inputs(site)).collect();
+        let instants = (0..self.sites).map(|site| self.instant(output, site));
+        self.turned(self.shapes(output), &inputs, instants, count)
+    }
+
+    /// Taps of several series at once, each of which begins with its instant: then the real part of the sum
+    /// over all poles of a row of its own times what they all have in common, which turns from tap to tap.
+    fn turned(
+        &self,
+        common: &[Complex64],
+        rows: &[&[Complex64]],
+        instants: impl Iterator<Item = f64>,
+        count: usize,
+    ) -> Vec<Vec<f64>> {
+        let by_pole = |part: fn(&Complex64) -> f64| -> Vec<f64> {
+            let of_pole = |pole: usize| rows.iter().map(move |row| part(&row[pole]));
+            (0..self.turns.len()).flat_map(of_pole).collect()
+        };
+        let (real, imaginary) = (by_pole(|it| it.re), by_pole(|it| it.im));
+        let mut common = common.to_vec();
+        let mut taps: Vec<Vec<f64>> = instants.map(|instant| vec![instant]).collect();
+        let mut sums = vec![0.0; rows.len()];
+        for _ in 1..count {
+            sums.fill(0.0);
+            let width = rows.len().max(1);
+            let rows = real.chunks_exact(width).zip(imaginary.chunks_exact(width));
+            for ((common, turn), (real, imaginary)) in common.iter_mut().zip(&self.turns).zip(rows)
+            {
+                for (sum, (real, imaginary)) in sums.iter_mut().zip(real.iter().zip(imaginary)) {
+                    *sum += real * common.re - imaginary * common.im;
+                }
+                *common *= turn;
             }
-            tap
-        });
-        let all = std::iter::once(self.instant(output, input)).chain(later);
-        all.take(count).collect()
+            for (taps, sum) in taps.iter_mut().zip(&sums) {
+                taps.push(*sum);
+            }
+        }
+        taps.iter_mut().for_each(|taps| taps.truncate(count));
+        taps
     }
 }
 

@@ -13,7 +13,7 @@ pub(super) struct Speeds<'a> {
     pub(super) turns: &'a [Complex64],
     /// In the step of the force, m/s per N, row by row.
     pub(super) own: Vec<f64>,
-    /// Of each site (row) by each pole,
+    /// Of each site (the first rows) by each pole,
     pub(super) moves: &'a Mat<Complex64>,
     /// and what a force at each site (column) makes of it for the next step.
     pub(super) excited: Mat<Complex64>,
@@ -22,7 +22,7 @@ pub(super) struct Speeds<'a> {
 impl Speeds<'_> {
     /// The Hermitian part of what forces that vary with an angle a step make of speeds.
     fn hermitian(&self, angle: f64) -> Mat<Complex64> {
-        let sites = self.moves.nrows();
+        let sites = self.excited.ncols();
         let back = Complex64::from_polar(1.0, -angle);
         // Each pole stands for its conjugate, too.
         let by = |turn: Complex64| 0.5 * back / (1.0 - turn * back);
@@ -51,7 +51,7 @@ impl Speeds<'_> {
 /// # Errors
 /// Where one is not finite.
 pub(super) fn least_margin(speeds: &Speeds) -> Result<f64, BuildError> {
-    let sites = speeds.moves.nrows();
+    let sites = speeds.excited.ncols();
     let own = (0..sites).map(|site| speeds.own[site * (sites + 1)]);
     let scale = own.fold(0.0, f64::max);
     let turning = speeds.turns.iter().filter(|turn| turn.im != 0.0);

@@ -44,6 +44,8 @@ pub struct PolePlan<'a> {
     bending: &'a Bending,
     support: SurfaceSupport,
     sites: &'a Sites,
+    /// Where displacements are seen besides, m from the bit.
+    seen: &'a [f64],
     sampling_frequency: f64,
     elements_per_cell: usize,
     /// At most.
@@ -83,10 +85,19 @@ impl<'a> PolePlan<'a> {
             bending,
             support,
             sites,
+            seen: &[],
             sampling_frequency,
             elements_per_cell,
             freedoms: 2.0 * (elements + 1.0),
         })
+    }
+
+    /// The same with the displacements at some places, m from the bit, which bear no force and change no pole.
+    pub fn seen_at(self, places: &'a [f64]) -> Self {
+        Self {
+            seen: places,
+            ..self
+        }
     }
 
     /// What building takes of a budget, and keeps.
@@ -102,7 +113,8 @@ impl<'a> PolePlan<'a> {
 
     /// Bytes of the poles, at most.
     pub fn kept_bytes(&self) -> f64 {
-        BendingPoles::bytes(self.sites.len() as f64, self.most_poles())
+        let outputs = (self.sites.len() + self.seen.len()) as f64;
+        BendingPoles::bytes((outputs, self.sites.len() as f64), self.most_poles())
     }
 
     /// Number of poles, at most.
@@ -135,12 +147,17 @@ impl<'a> PolePlan<'a> {
             beam::assemble(self.string, self.bending, self.support, (&mesh, self.sites))?;
         let held = self.support.held();
         let places = mesh.site_nodes.iter().map(|node| 2 * node - held);
+        let seen = self.seen.iter().map(|place| {
+            let depth = self.string.length() - place;
+            beam::displacement_at(&mesh, depth, self.support)
+        });
         let fastest = std::f64::consts::TAU * MODES_TO * self.sampling_frequency;
-        let projected = Elements::of(&matrices, places.collect()).projected(fastest)?;
+        let outputs = (places.collect(), seen.collect());
+        let projected = Elements::of(&matrices, outputs).projected(fastest)?;
         drop(matrices);
         let found = Rates::of(&projected)?.held(self.sampling_frequency)?;
         working.done();
-        found.nearer_to(&self.held()?)
+        found.seen_at(self.seen).nearer_to(&self.held()?)
     }
 
     /// A(0) by [`Method::Held`](crate::Method::Held) between all sites, m/N.

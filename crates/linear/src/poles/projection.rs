@@ -33,16 +33,18 @@ pub(super) struct Gram {
 pub(super) struct Projected {
     pub(super) system: Mat<f64>,
     pub(super) by_force: Mat<f64>,
+    /// Speeds at what is seen besides (columns) by each coordinate.
+    pub(super) seen: Mat<f64>,
 }
 
 impl Projected {
     /// Of some states between their shapes, of relaxations of drag (1/s) and of the material, and of the
-    /// displacement at each site (row) of each shape.
+    /// displacement at each site (row) of each shape, and at what is seen besides.
     pub(super) fn of(
         states: &[Coordinates],
         gram: &Gram,
         (drag_rates, material): (&[f64], &[Relaxation]),
-        at_sites: &Mat<f64>,
+        outputs: &[Mat<f64>; 2],
     ) -> Result<Self, BuildError> {
         let count = states.len();
         let (mut energy, mut flow) = (Mat::zeros(count, count), Mat::zeros(count, count));
@@ -96,12 +98,16 @@ impl Projected {
             let part = first + column;
             scales[row] * vectors[(row, part)] / parts[part].sqrt()
         });
-        let speeds = Mat::from_fn(count, at_sites.nrows(), |state, site| {
-            states[state].speed * at_sites[(site, states[state].shape)]
+        let [by_force, seen] = outputs.each_ref().map(|at| {
+            let speeds = Mat::from_fn(count, at.nrows(), |state, place| {
+                states[state].speed * at[(place, states[state].shape)]
+            });
+            turn.transpose() * &speeds
         });
         Ok(Self {
             system: turn.transpose() * (&flow * &turn),
-            by_force: turn.transpose() * &speeds,
+            by_force,
+            seen,
         })
     }
 }

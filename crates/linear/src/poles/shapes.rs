@@ -60,18 +60,24 @@ impl Elements {
             .collect();
         let rates: Vec<f64> = self.drag.iter().map(|(rate, _)| *rate).collect();
         let bent = shapes.bent(&turning);
+        let with_bent = |at: Mat<f64>| {
+            let of_bent = &at * &bent;
+            Mat::from_fn(at.nrows(), modes + 3 * sites, |place, shape| {
+                match shape.checked_sub(modes + sites) {
+                    Some(bent) => of_bent[(place, bent)],
+                    None => at[(place, shape)],
+                }
+            })
+        };
         let at_sites = Mat::from_fn(sites, modes + sites, |site, shape| {
             shapes.at_site(site, shape)
         });
-        let of_bent = &at_sites * &bent;
-        let at_sites = Mat::from_fn(sites, modes + 3 * sites, |site, shape| {
-            match shape.checked_sub(modes + sites) {
-                Some(bent) => of_bent[(site, bent)],
-                None => at_sites[(site, shape)],
-            }
+        let seen = Mat::from_fn(self.seen.len(), modes + sites, |place, shape| {
+            shapes.seen(place, shape)
         });
+        let outputs = [at_sites, seen].map(with_bent);
         let gram = with_more(&gram, &bent);
-        Projected::of(&coordinates, &gram, (&rates, &self.material), &at_sites)
+        Projected::of(&coordinates, &gram, (&rates, &self.material), &outputs)
     }
 }
 
@@ -110,6 +116,14 @@ impl<'a> Shapes<'a> {
     /// Displacement of a site by a shape.
     fn at_site(&self, site: usize, shape: usize) -> f64 {
         self.columns[(self.elements.places[site], shape)]
+    }
+
+    /// The same of what is seen besides.
+    fn seen(&self, place: usize, shape: usize) -> f64 {
+        let weighted = self.elements.seen[place].iter();
+        weighted
+            .map(|(freedom, weight)| weight * self.columns[(*freedom, shape)])
+            .sum()
     }
 
     /// What the matrices are between shapes.

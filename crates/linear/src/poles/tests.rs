@@ -3,7 +3,7 @@ use crate::bending::{Bending, SurfaceSupport};
 use crate::budget::Budget;
 use crate::drillstring::{Drillstring, Material, Section, Tube};
 use crate::method::Method;
-use crate::responses::{ChannelRequest, Request, responses};
+use crate::responses::{ChannelRequest, PlacePlan, PlaceQuantity, Request, responses};
 use crate::sites::Sites;
 use crate::surroundings::{Hole, HoleSection, Mud};
 
@@ -119,6 +119,40 @@ fn poles_answer_as_the_string() {
     ] {
         let found = difference(&string(), (bending(compression), support), sites);
         assert!(found[0] < most && found[1] < 1e-8, "{found:?}");
+    }
+}
+
+/// Places that bear no force move as those of the whole string do, down to the bit and where nothing holds it.
+#[test]
+fn places_of_poles_move_as_those_of_the_string() {
+    let string = string();
+    let places = [61.0, 20.25, 5.0, 0.0];
+    for support in [
+        SurfaceSupport::Pinned,
+        SurfaceSupport::Clamped,
+        SurfaceSupport::Free,
+    ] {
+        let bending = bending(-5e4);
+        let channel = ChannelRequest::Bending { bending, support };
+        let request = Request {
+            sites: Sites::new(&string, &[60.0, 33.0, 12.0]).unwrap(),
+            channels: vec![channel],
+            sampling_frequency: FREQUENCY,
+            longest_time: 3.0,
+        };
+        let [poles, held] = [Method::Poles, Method::Held].map(|method| {
+            let wanted = (PlaceQuantity::Displacement, &places[..]);
+            let plan = PlacePlan::new(&string, &method, &request, wanted).unwrap();
+            plan.build(&Budget::unlimited()).unwrap().from_forces
+        });
+        for (place, (poles, held)) in poles.iter().zip(&held).enumerate() {
+            for (poles, held) in poles.iter().zip(held) {
+                let largest = held.iter().fold(0.0f64, |most, tap| most.max(tap.abs()));
+                let apart = poles.iter().zip(held).map(|(one, other)| one - other);
+                let off = apart.fold(0.0f64, |most, it| most.max(it.abs())) / largest;
+                assert!(off < 1e-2, "{support:?} {place}: {off:e}");
+            }
+        }
     }
 }
 

@@ -2,9 +2,11 @@
 
 use super::channels::ChannelResponses;
 use super::length::taps_of;
+use super::places::PlaceResponses;
 use crate::budget::{Budget, REAL, What};
 use crate::channel::Channel;
 use crate::error::BuildError;
+use crate::parallel;
 use crate::passivity::Ending;
 use crate::poles::BendingPoles;
 
@@ -40,16 +42,33 @@ impl BendingPoles {
             return Err(BuildError::NoSuchSite { site, sites });
         }
         let taps = taps_of(longest_time, self.sampling_frequency())?;
-        let row = |output| {
-            let of_load = |load: &usize| self.taps(output, *load, taps);
-            loads.iter().map(of_load).collect()
-        };
+        let of_load = |load: usize| self.taps_from(loads[load], 0..sites, taps);
+        let mut from_loads = vec![Vec::with_capacity(loads.len()); sites];
+        for of_load in parallel::map(loads.len(), 1, of_load) {
+            for (site, taps) in from_loads.iter_mut().zip(of_load) {
+                site.push(taps);
+            }
+        }
         Ok(ChannelResponses {
             channel: Channel::Bending,
             loads: loads.to_vec(),
             from_surface: Vec::new(),
-            from_loads: (0..sites).map(row).collect(),
+            from_loads,
             ending: Ending::Cut,
+        })
+    }
+
+    /// The displacements at the places of these poles from a force at each site, as long as a simulation, s.
+    ///
+    /// # Errors
+    /// Where they would be too long.
+    pub fn place_responses(&self, longest_time: f64) -> Result<PlaceResponses, BuildError> {
+        let (sites, places) = (self.sites(), self.places().to_vec());
+        let taps = taps_of(longest_time, self.sampling_frequency())?;
+        let to_place = |place: usize| self.taps_to(sites + place, taps);
+        Ok(PlaceResponses {
+            from_forces: parallel::map(places.len(), 1, to_place),
+            places,
         })
     }
 }

@@ -31,12 +31,14 @@
 //! ```
 
 use super::bending::{BendingPlan, Wanted};
+use super::length::taps_of;
 use super::place_quantity::PlaceQuantity;
 use super::request::{ChannelRequest, Request};
-use crate::budget::{Budget, Need, OutOfBudget, What};
+use crate::budget::{Budget, Need, OutOfBudget, REAL, What};
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
 use crate::method::Method;
+use crate::poles::PolePlan;
 use crate::sites::{Sites, SitesAndPlaces};
 
 /// What forces at sites make of a quantity at places.
@@ -54,10 +56,18 @@ pub struct PlaceResponses {
 pub struct PlacePlan<'a> {
     /// From the surface down.
     places: Vec<f64>,
-    sites: usize,
-    /// As many places at a time as there are sites: these take the memory at most that
+    request: &'a Request,
+    made: Made<'a>,
+}
+
+/// What responses at places are made of.
+#[derive(Debug)]
+enum Made<'a> {
+    /// Waves or elements, for as many places at a time as there are sites: these take the memory at most that
     /// displacements do.
-    parts: Vec<BendingPlan<'a>>,
+    InParts(Vec<BendingPlan<'a>>),
+    /// Poles, of a number of taps.
+    OfPoles(PolePlan<'a>, usize),
 }
 
 impl<'a> PlacePlan<'a> {
@@ -80,6 +90,18 @@ impl<'a> PlacePlan<'a> {
         });
         let bends = bends.ok_or(BuildError::NoBending)?;
         let places = Sites::new(string, places)?.distances_from_bit().to_vec();
+        if (*method, quantity) == (Method::Poles, PlaceQuantity::Displacement) {
+            let rate = request.sampling_frequency;
+            let made = Made::OfPoles(
+                PolePlan::new(string, bends, &request.sites, rate)?,
+                taps_of(request.longest_time, rate)?,
+            );
+            return Ok(Self {
+                places,
+                request,
+                made,
+            });
+        }
         // Cut at all places, so that nothing depends on which others are found with it.
         let cut = request.sites.with_places(string, &places)?;
         let parts = cut.places.chunks(request.sites.len()).map(|places| {
@@ -91,15 +113,18 @@ impl<'a> PlacePlan<'a> {
             BendingPlan::new(string, method, request, bends, wanted)
         });
         Ok(Self {
-            parts: parts.collect::<Result<_, _>>()?,
-            sites: request.sites.len(),
             places,
+            request,
+            made: Made::InParts(parts.collect::<Result<_, _>>()?),
         })
     }
 
     /// Taps of each response.
     pub fn taps(&self) -> usize {
-        self.parts.first().map_or(0, BendingPlan::taps)
+        match &self.made {
+            Made::InParts(parts) => parts.first().map_or(0, BendingPlan::taps),
+            Made::OfPoles(_, taps) => *taps,
+        }
     }
 
     /// What building takes of a budget.
@@ -111,8 +136,17 @@ impl<'a> PlacePlan<'a> {
     }
 
     fn need(&self) -> Need {
-        let each = self.parts.iter().map(BendingPlan::need);
-        each.fold(Need::default(), Need::then)
+        match &self.made {
+            Made::InParts(parts) => {
+                let each = parts.iter().map(BendingPlan::need);
+                each.fold(Need::default(), Need::then)
+            }
+            Made::OfPoles(poles, taps) => {
+                let responses = self.places.len() * self.request.sites.len();
+                let kept = REAL * (responses * taps) as f64;
+                poles.need().then(Need::lasting(kept))
+            }
+        }
     }
 
     /// Builds the responses.
@@ -120,12 +154,20 @@ impl<'a> PlacePlan<'a> {
     /// # Errors
     /// As [`crate::ResponsePlan::build`].
     pub fn build(&self, budget: &Budget) -> Result<PlaceResponses, BuildError> {
+        let parts = match &self.made {
+            Made::InParts(parts) => parts,
+            Made::OfPoles(poles, _) => {
+                let poles = poles.seen_at(&self.places).build(budget)?;
+                return poles.place_responses(self.request.longest_time);
+            }
+        };
         let working = budget.begin(self.need(), What::Responses)?;
         let mut from_forces = Vec::with_capacity(self.places.len());
-        for part in &self.parts {
+        for part in parts {
             let mut taps = part.taps_of_pairs()?.into_iter().peekable();
             while taps.peek().is_some() {
-                from_forces.push(taps.by_ref().take(self.sites).collect());
+                let sites = self.request.sites.len();
+                from_forces.push(taps.by_ref().take(sites).collect());
             }
         }
         working.done();

@@ -10,6 +10,7 @@ use crate::budget::{Budget, Need, REAL, What};
 use crate::drillstring::{Drillstring, StringId};
 use crate::error::{BuildError, ResponseError};
 use crate::filters::{held, quadrature};
+use crate::parallel;
 use crate::passivity::Ending;
 use crate::sites::Sites;
 use crate::waves::lattice::Lattice;
@@ -91,11 +92,11 @@ impl ImpulseTrains {
 
 /// Taps that trains are shared out among.
 fn taps_of_each(trains: &[Vec<f64>], spacing: f64, ending: Ending) -> Vec<Vec<f64>> {
-    let taps = |train: &Vec<f64>| {
+    parallel::map(trains.len(), 8, |place| {
+        let train = &trains[place];
         let count = held::taps_of(train.len(), spacing, ending);
         held::shared(train, spacing, count)
-    };
-    trains.iter().map(taps).collect()
+    })
 }
 
 /// The number of turns in which trains are made. A lattice has thousands of steps in a travel time: of a

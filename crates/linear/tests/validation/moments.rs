@@ -171,6 +171,45 @@ fn val_a_place_between_sites_moves_as_a_site_there() {
     }
 }
 
+/// Poles have no site at a place, whose forces they would bend to: they are nearer to the string there than
+/// those of a string with a site more are.
+#[test]
+fn val_by_poles_a_place_moves_nearer_to_the_string_than_a_site_there() {
+    let largest =
+        |taps: &mut dyn Iterator<Item = f64>| taps.fold(0.0, |most: f64, it| most.max(it.abs()));
+    for number in 0..3 {
+        let (string, request, mut draw) = drawn(number);
+        let request = Request {
+            sites: request.sites.without_springs(),
+            ..request
+        };
+        let sites = request.sites.distances_from_bit();
+        let place = draw.uniform(sites[1] + 2.0, sites[0] - 2.0);
+        let with_it = [&sites[..1], &[place], &sites[1..]].concat();
+        let with_site = Request {
+            sites: Sites::new(&string, &with_it).unwrap(),
+            ..request.clone()
+        };
+        let [held, poles] = [Method::Held, Method::Poles]
+            .map(|method| linear::responses(&string, &method, &with_site).unwrap());
+        let [held, poles] = [&held, &poles].map(|it| &it.bending().unwrap().from_loads);
+        let wanted = (PlaceQuantity::Displacement, &[place][..]);
+        let found = at_places(&(string, request), &Method::Poles, wanted);
+        for (load, found) in [0, 2, 3].into_iter().zip(&found.from_forces[0]) {
+            let own = |site: usize| largest(&mut held[site][site].iter().copied());
+            let scale = (own(1) * own(load)).sqrt();
+            let [by_place, by_site] = [found, &poles[1][load]].map(|taps| {
+                let apart = taps.iter().zip(&held[1][load]);
+                largest(&mut apart.map(|(one, other)| one - other)) / scale
+            });
+            assert!(
+                by_place < by_site && by_site < 1e-2,
+                "{number} {load}: {by_place:e} {by_site:e}"
+            );
+        }
+    }
+}
+
 /// A beam pushed in the shape of its first mode swings in that: M = EI (π/L)² a at its middle, by its
 /// displacement a there.
 #[test]

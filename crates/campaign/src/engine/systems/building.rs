@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use anyhow::{Context, Result, bail};
 use linear::estimates::largest_undershoot;
 use linear::{
-    Budget, BuildError, Earlier, ImpulseTrains, Method, Request, ResponsePlan, Responses, parallel,
+    BendingPoles, Budget, BuildError, Earlier, ImpulseTrains, Method, Request, ResponsePlan,
+    Responses, parallel,
 };
 use sim::excitation::reach_of_impulse;
 use sim::{Sampling, Simulator, SimulatorPlan, System};
@@ -293,7 +294,7 @@ impl MethodSystem {
         let [torsion_margin, by_taps] = responses.margins(budget)?;
         let axial_margin = responses.axial_margin()?;
         let begun = Stopwatch::start();
-        let (simulator, by_poles) = poles::build(setting, simulator, &mut responses, budget)?;
+        let (simulator, poles) = poles::build(setting, simulator, &mut responses, budget)?;
         let build_seconds = of_taps + begun.seconds();
         let simulator = match setting.motor {
             None => simulator,
@@ -303,7 +304,7 @@ impl MethodSystem {
         Ok(Self {
             method: responses.method,
             torsion_margin,
-            bending_margin: by_poles.or(by_taps),
+            bending_margin: poles.as_ref().map(BendingPoles::margin).or(by_taps),
             axial_margin,
             least_impulses: least_impulses(setting, &reaches),
             reaches,
@@ -312,6 +313,7 @@ impl MethodSystem {
             setting: setting.clone(),
             undershoot: responses.at_bit().map(largest_undershoot),
             simulator,
+            poles,
             surface_torque: None,
             moments: None,
             displacements: None,
