@@ -47,6 +47,7 @@ use numerics::{Mat, eigenvalues};
 use crate::budget::{COMPLEX, REAL};
 use crate::error::{BuildError, ResponseError};
 use crate::fft::{self, RealToComplex};
+use crate::parallel;
 
 /// Below this margin a response is counted as unstable in sticking. Rounding
 /// and the cut tail of a response stay well within it.
@@ -173,7 +174,8 @@ pub(crate) fn bytes(inputs: usize, taps: usize, reciprocity: Reciprocity) -> f64
         Reciprocity::None if inputs > 1 => COMPLEX,
         _ => REAL,
     };
-    (entries * 0.5 * entry + PLAN + BUFFERS) * length
+    let works = entries.min(parallel::threads() as f64);
+    (entries * 0.5 * entry + PLAN + BUFFERS * works) * length
 }
 
 /// Whether responses are the same in both directions.
@@ -209,6 +211,10 @@ struct HermitianPart {
 /// One in this number of frequencies is computed first, for a bound that spares most others.
 const STRIDE: usize = 64;
 
+/// Pairs of inputs, and frequencies, that a thread takes at a time.
+const PAIRS_AT_ONCE: usize = 4;
+const FREQUENCIES_AT_ONCE: usize = 4096;
+
 impl HermitianPart {
     fn of<'a>(
         inputs: usize,
@@ -220,26 +226,28 @@ impl HermitianPart {
             .collect();
         let is_reciprocal =
             Reciprocity::of(inputs, |row, column| taps[row][column]) == Reciprocity::Exact;
-        let mut work = spectrometer.work();
-        let (mut real, mut imaginary) = (Vec::new(), Vec::new());
-        for row in 0..inputs {
-            for column in 0..=row {
-                spectrometer.spectrum(taps[row][column], &mut work);
-                let one = &work.spectrum;
-                if is_reciprocal || row == column {
-                    real.push(one.iter().map(|it| it.re).collect());
-                    imaginary.push(Vec::new());
-                    continue;
-                }
-                let mut mean = one.clone();
-                spectrometer.spectrum(taps[column][row], &mut work);
-                for (mean, other) in mean.iter_mut().zip(&work.spectrum) {
-                    *mean = 0.5 * (*mean + other.conj());
-                }
-                real.push(mean.iter().map(|it| it.re).collect());
-                imaginary.push(mean.iter().map(|it| it.im).collect());
+        let row = |row: usize| (0..=row).map(move |column| (row, column));
+        let pairs: Vec<(usize, usize)> = (0..inputs).flat_map(row).collect();
+        let entry = |work: &mut Work, (row, column): (usize, usize)| {
+            spectrometer.spectrum(taps[row][column], work);
+            if is_reciprocal || row == column {
+                return (parts(&work.spectrum, |it| it.re), Vec::new());
             }
-        }
+            let mut mean = work.spectrum.clone();
+            spectrometer.spectrum(taps[column][row], work);
+            for (mean, other) in mean.iter_mut().zip(&work.spectrum) {
+                *mean = 0.5 * (*mean + other.conj());
+            }
+            (parts(&mean, |it| it.re), parts(&mean, |it| it.im))
+        };
+        // Some of them by what one thread works in.
+        let entries = parallel::map(pairs.len().div_ceil(PAIRS_AT_ONCE), 1, |some| {
+            let mut work = spectrometer.work();
+            let some = pairs.chunks(PAIRS_AT_ONCE).nth(some).unwrap_or_default();
+            let entries = some.iter().map(|pair| entry(&mut work, *pair));
+            entries.collect::<Vec<_>>()
+        });
+        let (real, imaginary) = entries.into_iter().flatten().unzip();
         Self {
             inputs,
             real,
@@ -301,8 +309,30 @@ impl HermitianPart {
             }
             return Ok(smallest);
         }
+        smallest = self.smallest_below(smallest, (0..self.len()).step_by(STRIDE))?;
+        let parts = parallel::map(self.len().div_ceil(FREQUENCIES_AT_ONCE), 1, |part| {
+            let first = part * FREQUENCIES_AT_ONCE;
+            let end = self.len().min(first + FREQUENCIES_AT_ONCE);
+            self.smallest_below(smallest, first..end)
+        });
+        for part in parts {
+            let part = part?;
+            if part.0 < smallest.0 {
+                smallest = part;
+            }
+        }
+        Ok(smallest)
+    }
+
+    /// The smallest eigenvalue at some frequencies that is below one at another, and the frequency; that other
+    /// where there is none.
+    fn smallest_below(
+        &self,
+        mut smallest: (f64, usize),
+        frequencies: impl Iterator<Item = usize>,
+    ) -> Result<(f64, usize), BuildError> {
         let mut lower = Vec::with_capacity(self.real.len());
-        for frequency in (0..self.len()).step_by(STRIDE).chain(0..self.len()) {
+        for frequency in frequencies {
             if smallest.0.is_finite() && self.are_above(smallest.0, frequency, &mut lower) {
                 continue;
             }
@@ -313,6 +343,11 @@ impl HermitianPart {
         }
         Ok(smallest)
     }
+}
+
+/// A part of each number.
+fn parts(numbers: &[Complex64], part: impl Fn(&Complex64) -> f64) -> Vec<f64> {
+    numbers.iter().map(part).collect()
 }
 
 fn smallest_eigenvalue(hermitian: &Mat<Complex64>) -> Result<f64, BuildError> {
@@ -480,7 +515,8 @@ mod tests {
                 true => &taps[output.max(input) * inputs + output.min(input)][..],
                 false => &taps[output * inputs + input][..],
             };
-            let spectrometer = Spectrometer::new(REFINEMENT * 128, Ending::Cut);
+            // More frequencies than a thread takes at a time.
+            let spectrometer = Spectrometer::new(REFINEMENT * 1024, Ending::Cut);
             let hermitian = HermitianPart::of(inputs, &spectrometer, of);
             assert_eq!(hermitian.imaginary.is_none(), is_reciprocal);
             let all = (0..hermitian.len()).map(|place| smallest_eigenvalue(&hermitian.at(place)));
