@@ -66,9 +66,9 @@ pub fn is_by_poles(content: &FileContent, design: &Design, setting: &Setting) ->
 
 /// A cause by which the string loses energy, by how strong it is.
 struct Loss {
-    /// Of the file's own string.
+    /// The strength in the file's own string.
     own: f64,
-    /// The least and the most of all cases.
+    /// The least and the greatest of all cases.
     ends: [f64; 2],
 }
 

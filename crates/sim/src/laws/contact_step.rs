@@ -130,7 +130,7 @@ impl<'a> ContactStep<'a> {
     }
 
     /// Rolling, or sliding one way or the other.
-    #[inline]
+    #[inline(always)]
     fn solve(&self) -> Result<Contact, ContactError> {
         let friction = self.wall.friction;
         if self.approach.spin.resistance.is_none() {
