@@ -174,7 +174,8 @@ pub(crate) fn bytes(inputs: usize, taps: usize, reciprocity: Reciprocity) -> f64
         Reciprocity::None if inputs > 1 => COMPLEX,
         _ => REAL,
     };
-    let works = entries.min(parallel::threads() as f64);
+    let works = (entries / PAIRS_AT_ONCE as f64).ceil();
+    let works = works.min(parallel::threads() as f64);
     (entries * 0.5 * entry + PLAN + BUFFERS * works) * length
 }
 
