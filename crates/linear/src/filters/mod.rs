@@ -33,7 +33,10 @@ const MANY_CHANNELS: usize = 8;
 fn gathering(channels: usize) -> (usize, usize) {
     match channels < MANY_CHANNELS {
         true => (1, 1),
-        false => (GATHERED, parallel::threads()),
+        false => (
+            GATHERED,
+            parallel::threads().min(channels.div_ceil(GATHERED)),
+        ),
     }
 }
 
