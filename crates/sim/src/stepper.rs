@@ -47,6 +47,7 @@ mod met;
 mod seen;
 
 use linear::SteadyMotion;
+use pulp::Arch;
 
 use crate::axial_motion::AxialMotion;
 use crate::coupling::Coupling;
@@ -94,6 +95,8 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     /// The law of the bit, and its port.
     bit: Option<(&'a B, usize)>,
     acting: Acting,
+    /// What instructions the processor has.
+    arch: Arch,
     /// The friction of each port on its load lines; nothing where the string rubs nowhere.
     friction: Vec<Option<OnLines>>,
     reference: Reference<'a>,
@@ -227,6 +230,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             scene,
             bit,
             acting,
+            arch: Arch::new(),
             friction,
             reference,
             held: 0.0,
@@ -291,7 +295,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         self.find_free_motion::<BIT>();
         match (self.within, &self.lateral) {
             (Within::All(torsion), _) if BIT => self.meet_bit_alone(torsion)?,
-            _ if self.acting == Acting::Walls => self.meet_all::<true>()?,
+            _ if self.acting == Acting::Walls => self.meet_walls()?,
             // No other port has to agree with the bit.
             (Within::All(torsion), None) if self.friction.is_empty() => self.meet_bit(torsion)?,
             _ if self.drive.is_some() => self.meet_all_and_drive()?,

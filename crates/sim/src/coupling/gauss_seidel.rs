@@ -36,7 +36,7 @@ struct Matters {
 impl Coupling<'_> {
     /// Solves a step by solving one port after the other, from the loads of the last
     /// step on. Gives whether they settled.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn settle<E>(
         &mut self,
         free: Free,

@@ -238,7 +238,7 @@ impl<'a> Coupling<'a> {
     }
 
     /// Adds what the change of a load is worth to what is pending at the ports near by.
-    #[inline]
+    #[inline(always)]
     fn pass_on(&mut self, port: usize, before: Load, load: Load) {
         let [x, y] = [0, 1].map(|axis| (load.force[axis] - before.force[axis]).abs());
         let torque = (load.torque - before.torque).abs();

@@ -21,6 +21,7 @@ pub(super) struct ContactResidual<'a> {
 
 impl ContactResidual<'_> {
     /// Whether an answer obeys the laws of contact; what is no number does not.
+    #[inline(always)]
     pub(super) fn laws(&self) -> bool {
         let (approach, trial, contact) = (self.approach, self.trial, self.contact);
         let [cos, sin] = trial.direction;
@@ -56,6 +57,7 @@ impl ContactResidual<'_> {
 
     /// Whether friction turns the string as it did in the trial, which knows the way
     /// of sliding: products of numbers far too small are not what they say.
+    #[inline(always)]
     fn turns_as_tried(&self) -> bool {
         let torque = self.contact.torque;
         let tried = self.wall.radius * self.trial.ratio * self.trial.normal_force;
@@ -65,6 +67,7 @@ impl ContactResidual<'_> {
     /// Whether what rolls does not slide: by no more than a part of the speeds that
     /// meet, what all friction adds to them included, or than what a bit jumps by
     /// where it slips, for there its speed takes no value between.
+    #[inline(always)]
     fn rolls(&self) -> bool {
         let (approach, trial) = (self.approach, self.trial);
         let spin = approach.spin.under(self.contact.torque);
@@ -75,6 +78,7 @@ impl ContactResidual<'_> {
     }
 
     /// The least speed that distinguishes sliding from rolling; NaN where the speeds that meet are.
+    #[inline(always)]
     fn least_speed(&self) -> f64 {
         let (wall, approach, trial) = (self.wall, self.approach, self.trial);
         let (gives, free_speed) = (approach.spin.compliance, approach.spin.free_speed);
